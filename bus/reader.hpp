@@ -1,0 +1,65 @@
+// bus/reader.hpp: taking validated values from a topic.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "bus/messages.hpp"
+#include "bus/participant.hpp"
+#include "bus/reject.hpp"
+#include "geometry/time.hpp"
+
+namespace teamsight::bus {
+
+/// Whether somebody still writes this instance.
+enum class Presence : std::uint8_t {
+  kAlive,
+  kSilent,  ///< its last writer's lease ended or it left without a word
+  kGone,    ///< disposed
+};
+
+/// One step of one instance: a new value, or a change of presence, or both.
+template <class Message>
+struct Sample {
+  std::optional<Message> message;  ///< nothing: only the presence changed
+  Presence presence{Presence::kAlive};
+  std::uint64_t instance{0};       ///< tells instances apart while the reader lives
+  std::uint64_t writer{0};         ///< tells writers apart while they live
+  HostTime received;               ///< when it was taken
+};
+
+/// Reads one topic. Samples that fail validation are dropped and counted. Use from one thread.
+///
+/// Defined for every message of bus/messages.hpp and for WorldModel.
+template <class Message>
+class Reader {
+ public:
+  explicit Reader(const Participant& participant);
+  Reader(Reader&&) noexcept;
+  Reader& operator=(Reader&&) noexcept;
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader();
+
+  /// Calls `use` for each sample that has arrived since the last call, oldest first.
+  ///
+  /// @param now  stamped on every sample
+  /// @return how many samples were handed over
+  std::size_t take(HostTime now, const std::function<void(const Sample<Message>&)>& use);
+
+  /// Readable (poll, epoll) whenever there is something to take; cleared by `take`.
+  [[nodiscard]] int event_fd() const noexcept;
+
+  /// How many writers of this topic are alive now.
+  [[nodiscard]] std::uint32_t live_writers() const noexcept;
+
+  [[nodiscard]] const ReadCounters& counters() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace teamsight::bus

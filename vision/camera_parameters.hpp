@@ -1,0 +1,130 @@
+// vision/camera_parameters.hpp: one robot's eye as numbers; made from a camera file by settings/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace teamsight::vision {
+
+enum class PixelFormat : std::uint8_t { kBgr, kYuyv, kUyvy, kGrey };
+
+/// One measured ring around the robot: the floor at `distance` appears at `radius_px`.
+struct RingMark {
+  double radius_px{0.0};  ///< from the image centre
+  double distance{0.0};   ///< m on the floor, from the robot's centre
+  double sigma_px{0.5};   ///< of radius_px
+
+  friend bool operator==(const RingMark&, const RingMark&) = default;
+};
+
+/// A mirror known by the rings seen in it; rows by growing radius and distance.
+struct RadialTable {
+  double centre_u_px{0.0};     ///< column; 0 is the middle of the first pixel
+  double centre_v_px{0.0};     ///< row
+  double mirror_height{0.0};   ///< of the virtual viewpoint over the floor; m
+  std::vector<RingMark> rows;
+
+  friend bool operator==(const RadialTable&, const RadialTable&) = default;
+};
+
+/// A point of the mirror's meridian: distance from the axis, height over the pinhole; m.
+struct ProfilePoint {
+  double x{0.0};
+  double y{0.0};
+
+  friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
+};
+
+/// A mirror of known shape above a pinhole camera that looks up.
+struct ProfileMirror {
+  double focal_x_px{0.0};
+  double focal_y_px{0.0};
+  double centre_u_px{0.0};
+  double centre_v_px{0.0};
+  std::vector<ProfilePoint> profile;  ///< by growing x, from the axis outwards
+  double pinhole_height{0.0};         ///< over the floor; m
+  std::array<double, 3> offset_C{};   ///< of the mirror's apex against its design place, in C; m
+  std::array<double, 2> tilt_C{};     ///< of the mirror about C's x and y axes; rad
+  double head_roll{0.0};              ///< of camera and mirror together, about R's x axis; rad
+  double head_pitch{0.0};             ///< about R's y axis; rad
+
+  friend bool operator==(const ProfileMirror&, const ProfileMirror&) = default;
+};
+
+enum class ColourClass : std::uint8_t {
+  kNone,
+  kGreen,
+  kBall,
+  kBlue,
+  kYellow,
+  kMagenta,
+  kCyan,
+  kRed,
+  kWhite,
+  kBlack,
+};
+
+/// What one colour looks like in this camera: a disc in the chroma plane (BT.601, 8 bits).
+struct ColourSample {
+  ColourClass colour{ColourClass::kNone};
+  std::uint8_t u{128};
+  std::uint8_t v{128};
+  std::uint8_t radius{20};
+
+  friend bool operator==(const ColourSample&, const ColourSample&) = default;
+};
+
+struct ColourParameters {
+  std::uint8_t white_min_y{160};
+  std::uint8_t black_max_y{40};
+  std::vector<ColourSample> samples;
+
+  friend bool operator==(const ColourParameters&, const ColourParameters&) = default;
+};
+
+/// Image directions in which the camera sees only its own robot; counter-clockwise from image
+/// right as one looks at the picture; rad; from `from` counter-clockwise to `to`.
+struct MaskedSector {
+  double from{0.0};
+  double to{0.0};
+
+  friend bool operator==(const MaskedSector&, const MaskedSector&) = default;
+};
+
+/// What never shows the world.
+struct Mask {
+  double inner_radius_px{0.0};
+  double outer_radius_px{1e9};
+  std::vector<MaskedSector> sectors;
+
+  friend bool operator==(const Mask&, const Mask&) = default;
+};
+
+struct ScanPattern {
+  std::uint16_t rays{360};
+  double max_distance{8.0};    ///< m
+  double min_contrast{18.0};   ///< of a line against the floor, grey levels
+
+  friend bool operator==(const ScanPattern&, const ScanPattern&) = default;
+};
+
+/// Everything the vision must know of one camera.
+struct CameraParameters {
+  std::string name;
+  std::uint32_t width_px{0};
+  std::uint32_t height_px{0};
+  PixelFormat format{PixelFormat::kBgr};
+  std::variant<RadialTable, ProfileMirror> mirror;
+  double forward{0.0};    ///< image direction of R's x axis, counter-clockwise from image right; rad
+  bool mirrored{false};   ///< R's left lies clockwise from forward in the picture
+  ColourParameters colours;
+  Mask mask;
+  ScanPattern scan;
+
+  friend bool operator==(const CameraParameters&, const CameraParameters&) = default;
+};
+
+}  // namespace teamsight::vision
