@@ -1,0 +1,198 @@
+// settings/camera_file.cpp: a camera file becomes CameraParameters.
+#include <cmath>
+#include <numbers>
+
+#include "config.pb.h"
+#include "geometry/angle.hpp"
+#include "settings/load.hpp"
+#include "settings/profile_csv.hpp"
+#include "settings/text_format.hpp"
+
+namespace teamsight::settings {
+
+namespace {
+
+using config::CameraFile;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+std::uint8_t byte(std::uint32_t value) {
+  return static_cast<std::uint8_t>(value);
+}  // in range
+
+vision::PixelFormat format_of(CameraFile::PixelFormat format) {
+  switch (format) {
+    case CameraFile::BGR:
+      return vision::PixelFormat::kBgr;
+    case CameraFile::YUYV:
+      return vision::PixelFormat::kYuyv;
+    case CameraFile::UYVY:
+      return vision::PixelFormat::kUyvy;
+    case CameraFile::GREY:
+      return vision::PixelFormat::kGrey;
+  }
+  return vision::PixelFormat::kBgr;
+}
+
+vision::ColourClass class_of(CameraFile::Colours::Class colour) {
+  switch (colour) {
+    case CameraFile::Colours::GREEN:
+      return vision::ColourClass::kGreen;
+    case CameraFile::Colours::BALL:
+      return vision::ColourClass::kBall;
+    case CameraFile::Colours::BLUE:
+      return vision::ColourClass::kBlue;
+    case CameraFile::Colours::YELLOW:
+      return vision::ColourClass::kYellow;
+    case CameraFile::Colours::MAGENTA:
+      return vision::ColourClass::kMagenta;
+    case CameraFile::Colours::CYAN:
+      return vision::ColourClass::kCyan;
+    case CameraFile::Colours::RED:
+      return vision::ColourClass::kRed;
+  }
+  return vision::ColourClass::kNone;
+}
+
+// ---- mirrors -----------------------------------------------------------------------------------
+
+void check_grows(const TextFile& text, const std::string& key, double value, double before) {
+  if (value > before) return;
+  throw text.error(key, text_of(value), "more than in the row before, " + text_of(before));
+}
+
+vision::RadialTable radial_table(const TextFile& text, const CameraFile::RadialTable& file) {
+  constexpr int kFewestRows = 3;
+  if (file.row_size() < kFewestRows) {
+    throw text.error("radial_table.row", std::to_string(file.row_size()) + " rows", "at least 3");
+  }
+  vision::RadialTable table;
+  table.centre_u_px = file.centre_u_px();
+  table.centre_v_px = file.centre_v_px();
+  table.mirror_height = file.mirror_height_m();
+  for (int i = 0; i < file.row_size(); ++i) {
+    const auto& row = file.row(i);
+    if (i > 0) {
+      const std::string key = "radial_table." + key_of("row", i);
+      check_grows(text, key + ".radius_px", row.radius_px(), file.row(i - 1).radius_px());
+      check_grows(text, key + ".distance_m", row.distance_m(), file.row(i - 1).distance_m());
+    }
+    table.rows.push_back({row.radius_px(), row.distance_m(), row.sigma_px()});
+  }
+  return table;
+}
+
+vision::ProfileMirror profile_mirror(const TextFile& text, const CameraFile::ProfileMirror& file) {
+  vision::ProfileMirror mirror;
+  mirror.focal_x_px = file.focal_x_px();
+  mirror.focal_y_px = file.focal_y_px();
+  mirror.centre_u_px = file.centre_u_px();
+  mirror.centre_v_px = file.centre_v_px();
+  mirror.profile = read_profile(text.resolve("profile.profile_csv", file.profile_csv()));
+  mirror.pinhole_height = file.pinhole_height_m();
+  mirror.offset_C = {file.offset_x_m(), file.offset_y_m(), file.offset_z_m()};
+  mirror.tilt_C = {radians(file.tilt_x_deg()), radians(file.tilt_y_deg())};
+  mirror.head_roll = radians(file.head_roll_deg());
+  mirror.head_pitch = radians(file.head_pitch_deg());
+  return mirror;
+}
+
+void check_centre(const TextFile& text, const CameraFile& file, double u_px, double v_px) {
+  const std::string block = file.has_profile() ? "profile." : "radial_table.";
+  const auto check = [&](const char* key, double value, std::uint32_t size) {
+    if (value >= 0.0 && value <= size - 1.0) return;
+    throw text.error(
+        block + key, text_of(value), "a place in the image, from 0 to " + std::to_string(size - 1));
+  };
+  check("centre_u_px", u_px, file.width_px());
+  check("centre_v_px", v_px, file.height_px());
+}
+
+std::variant<vision::RadialTable, vision::ProfileMirror> mirror_of(const TextFile& text,
+                                                                   const CameraFile& file) {
+  switch (file.mirror_case()) {
+    case CameraFile::kRadialTable:
+      check_centre(
+          text, file, file.radial_table().centre_u_px(), file.radial_table().centre_v_px());
+      return radial_table(text, file.radial_table());
+    case CameraFile::kProfile:
+      check_centre(text, file, file.profile().centre_u_px(), file.profile().centre_v_px());
+      return profile_mirror(text, file.profile());
+    case CameraFile::MIRROR_NOT_SET:
+      break;
+  }
+  throw text.error("mirror", "no mirror", "a block radial_table or profile");
+}
+
+// ---- colours and mask --------------------------------------------------------------------------
+
+vision::ColourParameters colours_of(const TextFile& text, const CameraFile::Colours& file) {
+  if (file.black_max_y() >= file.white_min_y()) {
+    throw text.error("colours.black_max_y",
+                     std::to_string(file.black_max_y()),
+                     "less than white_min_y, " + std::to_string(file.white_min_y()));
+  }
+  vision::ColourParameters colours;
+  colours.white_min_y = byte(file.white_min_y());
+  colours.black_max_y = byte(file.black_max_y());
+  for (int i = 0; i < file.sample_size(); ++i) {
+    const auto& sample = file.sample(i);
+    for (int j = 0; j < i; ++j) {
+      if (file.sample(j).u() != sample.u() || file.sample(j).v() != sample.v()) continue;
+      throw text.error("colours." + key_of("sample", i),
+                       "the same u and v as in sample[" + std::to_string(j) + "]",
+                       "each (u, v) once");
+    }
+    colours.samples.push_back(
+        {class_of(sample.class_()), byte(sample.u()), byte(sample.v()), byte(sample.radius())});
+  }
+  return colours;
+}
+
+vision::Mask mask_of(const TextFile& text, const CameraFile& file) {
+  vision::Mask mask;
+  mask.inner_radius_px = file.mask().inner_radius_px();
+  if (file.mask().has_outer_radius_px()) mask.outer_radius_px = file.mask().outer_radius_px();
+  if (mask.outer_radius_px <= mask.inner_radius_px) {
+    throw text.error("mask.outer_radius_px",
+                     text_of(mask.outer_radius_px),
+                     "more than inner_radius_px, " + text_of(mask.inner_radius_px));
+  }
+  for (int i = 0; i < file.mask().sector_size(); ++i) {
+    const auto& sector = file.mask().sector(i);
+    const double extent = sector.to_deg() - sector.from_deg();
+    if (extent <= 0.0 || extent >= 360.0) {
+      throw text.error("mask." + key_of("sector", i) + ".to_deg",
+                       text_of(sector.to_deg()),
+                       "more than from_deg, by less than a full turn");
+    }
+    mask.sectors.push_back(
+        {wrap_angle(radians(sector.from_deg())), wrap_angle(radians(sector.to_deg()))});
+  }
+  return mask;
+}
+
+}  // namespace
+
+vision::CameraParameters load_camera(const std::filesystem::path& path) {
+  CameraFile file;
+  const TextFile text = TextFile::read(path, file);
+  vision::CameraParameters camera;
+  camera.name = file.name();
+  camera.width_px = file.width_px();
+  camera.height_px = file.height_px();
+  camera.format = format_of(file.format());
+  camera.mirror = mirror_of(text, file);
+  camera.forward = wrap_angle(radians(file.mounting().forward_deg()));
+  camera.mirrored = file.mounting().mirrored();
+  camera.colours = colours_of(text, file.colours());
+  camera.mask = mask_of(text, file);
+  camera.scan.rays = static_cast<std::uint16_t>(file.scan().rays());
+  camera.scan.max_distance = file.scan().max_distance_m();
+  camera.scan.min_contrast = file.scan().min_contrast();
+  return camera;
+}
+
+}  // namespace teamsight::settings

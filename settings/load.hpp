@@ -1,0 +1,75 @@
+// settings/load.hpp: settings files in, checked parameters out. The only header others need.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/field_model.hpp"
+#include "geometry/identity.hpp"
+#include "settings/settings_error.hpp"
+#include "vision/camera_parameters.hpp"
+
+namespace teamsight::settings {
+
+/// What the robots of a team have in common (config/teams). Paths are absolute; the files exist.
+struct TeamSettings {
+  std::string name;  ///< separates teams on one network
+  std::filesystem::path field;
+  std::uint32_t domain_id{0};          ///< of the domain between the robots
+  std::filesystem::path dds_profile;   ///< Cyclone DDS XML for that domain
+  std::filesystem::path host_profile;  ///< the same for the domain inside one computer
+  double ball_radius{0.11};            ///< m
+  double robot_radius{0.25};           ///< m
+};
+
+/// On which half a robot starts, where nothing else breaks the field's symmetry.
+enum class StartSide : std::uint8_t { kUnknown, kOwnHalf, kOpponentHalf };
+
+/// One robot (config/robots). Paths are absolute; the files exist.
+struct RobotSettings {
+  RobotId id{kNobody};
+  TeamSettings team;
+  std::filesystem::path camera;
+  std::uint16_t strength{0};  ///< the strongest fusion alive leads; different in every robot
+  StartSide start_side{StartSide::kUnknown};
+};
+
+/// A simulated match (config/matches). Paths are absolute; the files exist.
+struct MatchSettings {
+  std::filesystem::path field;
+  std::filesystem::path camera;  ///< the same for every robot
+  std::vector<RobotId> robots;   ///< the own robots that play; no id twice, at least one
+  std::uint32_t opponents{0};
+  std::uint32_t seed{1};  ///< the same seed gives the same match
+  double frame_rate_hz{15.0};
+  double pixel_noise_sigma{3.0};  ///< grey levels
+};
+
+/// Reads a field file and turns the rulebook's letters into lines, arcs, spots and goals.
+///
+/// @throws SettingsError, as all of these do: the file is unreadable or not in protobuf text
+///         format, has an unknown or lacks a required key, or holds a value that makes no sense
+[[nodiscard]] FieldModel load_field(const std::filesystem::path& path);
+
+/// Reads a camera file and, if the mirror is a profile, the CSV file beside it.
+[[nodiscard]] vision::CameraParameters load_camera(const std::filesystem::path& path);
+
+/// Reads a robot file and its team file; field, camera and profiles are left to their readers.
+[[nodiscard]] RobotSettings load_robot(const std::filesystem::path& path);
+
+[[nodiscard]] TeamSettings load_team(const std::filesystem::path& path);
+
+[[nodiscard]] MatchSettings load_match(const std::filesystem::path& path);
+
+/// Writes a camera file that load_camera reads back; a profile goes into a CSV file beside it.
+/// A reader sees the old file or the new one, never a part of it.
+///
+/// @param comment  where the numbers come from, for the head of the file; may have several lines
+/// @throws SettingsError if a file cannot be written
+void save_camera(const std::filesystem::path& path,
+                 const vision::CameraParameters& camera,
+                 const std::string& comment = {});
+
+}  // namespace teamsight::settings

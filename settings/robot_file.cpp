@@ -1,0 +1,73 @@
+// settings/robot_file.cpp: robot, team and match files.
+#include <algorithm>
+
+#include "config.pb.h"
+#include "settings/load.hpp"
+#include "settings/text_format.hpp"
+
+namespace teamsight::settings {
+
+namespace {
+
+StartSide side_of(config::RobotFile::StartSide side) {
+  switch (side) {
+    case config::RobotFile::OWN_HALF:
+      return StartSide::kOwnHalf;
+    case config::RobotFile::OPPONENT_HALF:
+      return StartSide::kOpponentHalf;
+    case config::RobotFile::UNKNOWN:
+      break;
+  }
+  return StartSide::kUnknown;
+}
+
+}  // namespace
+
+TeamSettings load_team(const std::filesystem::path& path) {
+  config::TeamFile file;
+  const TextFile text = TextFile::read(path, file);
+  TeamSettings team;
+  team.name = file.name();
+  team.field = text.resolve("field", file.field());
+  team.domain_id = file.domain_id();
+  team.dds_profile = text.resolve("dds_profile", file.dds_profile());
+  team.host_profile = text.resolve("host_profile", file.host_profile());
+  team.ball_radius = file.ball_radius_m();
+  team.robot_radius = file.robot_radius_m();
+  return team;
+}
+
+RobotSettings load_robot(const std::filesystem::path& path) {
+  config::RobotFile file;
+  const TextFile text = TextFile::read(path, file);
+  RobotSettings robot;
+  robot.id = static_cast<RobotId>(file.id());
+  robot.team = load_team(text.resolve("team", file.team()));
+  robot.camera = text.resolve("camera", file.camera());
+  robot.strength = static_cast<std::uint16_t>(file.strength());
+  robot.start_side = side_of(file.start_side());
+  return robot;
+}
+
+MatchSettings load_match(const std::filesystem::path& path) {
+  config::MatchFile file;
+  const TextFile text = TextFile::read(path, file);
+  MatchSettings match;
+  match.field = text.resolve("field", file.field());
+  match.camera = text.resolve("camera", file.camera());
+  for (int i = 0; i < file.robot_size(); ++i) {
+    const auto id = static_cast<RobotId>(file.robot(i));
+    if (std::ranges::find(match.robots, id) != match.robots.end()) {
+      throw text.error(key_of("robot", i), std::to_string(id) + " again", "each robot once");
+    }
+    match.robots.push_back(id);
+  }
+  if (match.robots.empty()) throw text.error("robot", "no robot", "the id of at least one robot");
+  match.opponents = file.opponents();
+  match.seed = file.seed();
+  match.frame_rate_hz = file.frame_rate_hz();
+  match.pixel_noise_sigma = file.pixel_noise_sigma();
+  return match;
+}
+
+}  // namespace teamsight::settings
