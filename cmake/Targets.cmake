@@ -12,6 +12,9 @@ function(teamsight_library name)
   set_target_properties(teamsight_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
 endfunction()
 
+# The target `programs` builds every program, and no test.
+add_custom_target(programs)
+
 # teamsight_program(<name> SOURCES main.cpp ... [LINK targets...]) makes an executable called <name>.
 function(teamsight_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
@@ -19,4 +22,5 @@ function(teamsight_program name)
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} teamsight_warnings)
+  add_dependencies(programs ${name})
 endfunction()

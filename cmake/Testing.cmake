@@ -3,6 +3,7 @@
 # teamsight_test(<name> LABEL unit SOURCES a_test.cpp ... LINK targets... [TIMEOUT seconds] [SERIAL])
 # makes the program <name>, one CTest case per GoogleTest case, all with the label.
 # The environment of every case: TEAMSIGHT_SOURCE_DIR (the repository) and TEAMSIGHT_BIN_DIR (the programs).
+# The targets tests_<label> and tests_in_<folder> build the tests of one label and of one folder.
 # SERIAL: never beside another test (timing, or all the processors).
 function(teamsight_test name)
   cmake_parse_arguments(ARG "SERIAL" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
@@ -19,4 +20,18 @@ function(teamsight_test name)
     DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}"
                $<$<BOOL:${ARG_SERIAL}>:RUN_SERIAL> $<$<BOOL:${ARG_SERIAL}>:TRUE>)
+  teamsight_test_group(tests_${ARG_LABEL} ${name})
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  teamsight_test_group(tests_in_${folder} ${name})
+  if(NOT ARG_LABEL MATCHES "^(unit|property|consistency|fuzz)$")
+    add_dependencies(tests_${ARG_LABEL} programs) # the other labels may start them
+  endif()
+endfunction()
+
+# teamsight_test_group(<group> <test>) makes the target <group> build <test> as well.
+function(teamsight_test_group group test)
+  if(NOT TARGET ${group})
+    add_custom_target(${group})
+  endif()
+  add_dependencies(${group} ${test})
 endfunction()
