@@ -1,0 +1,251 @@
+// monitor/station.cpp: see monitor/station.hpp.
+#include "monitor/station.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace teamsight::monitor {
+namespace {
+
+// Bounds for what strangers on the bus could make us keep.
+constexpr std::size_t kMaxEventsPerUpdate = 256;
+constexpr std::size_t kMaxProcesses = 64;
+constexpr std::size_t kMaxInstances = 256;
+
+constexpr std::string_view kAgentPrefix = "agent/";
+
+std::string robot_name(RobotId robot) {
+  return "Robot " + std::to_string(static_cast<unsigned>(robot));
+}
+
+std::string_view reason_of(Quarantine quarantine) {
+  switch (quarantine) {
+    case Quarantine::kNone:
+      return "none";
+    case Quarantine::kNoPosture:
+      return "it does not know where it is";
+    case Quarantine::kBiased:
+      return "what it sees lies aside from what the others see";
+    case Quarantine::kMirrored:
+      return "it stands on the other half";
+    case Quarantine::kKidnapped:
+      return "its posture jumped";
+    case Quarantine::kBabbling:
+      return "too many or contradictory samples";
+    case Quarantine::kDuplicateId:
+      return "two processes speak under its id";
+  }
+  return "unknown";
+}
+
+std::string list_of(const std::vector<RobotId>& robots) {
+  std::string text;
+  for (const RobotId robot : robots) {
+    text += (text.empty() ? "" : ", ") + std::to_string(static_cast<unsigned>(robot));
+  }
+  return text;
+}
+
+}  // namespace
+
+Station::Station(StationParameters parameters) : parameters_(std::move(parameters)) {}
+
+Station::Watch& Station::watch_of(RobotId robot) {
+  return robots_.try_emplace(robot, parameters_.window).first->second;
+}
+
+void Station::note(HostTime stamp, Level level, std::string text) {
+  if (events_.size() + 1 == kMaxEventsPerUpdate) text = "more happened than can be listed";
+  if (events_.size() < kMaxEventsPerUpdate) events_.push_back({stamp, level, std::move(text)});
+}
+
+void Station::note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now) {
+  if (boot == watch.boot) return;
+  // A restarted process never speaks under its old boot id again; two processes take turns.
+  const bool takes_turns = boot == watch.boot_before;
+  const bool known =
+      now - watch.shared_id_seen < parameters_.duplicate_for && watch.shared_id_seen != HostTime{};
+  if (takes_turns) {
+    if (!known) note(now, Level::kAlarm, robot_name(robot) + ": two processes speak under this id");
+    watch.shared_id_seen = now;
+  } else if (watch.boot != 0) {
+    note(now, Level::kInfo, robot_name(robot) + ": its agent was started again");
+  }
+  watch.boot_before = std::exchange(watch.boot, boot);
+}
+
+void Station::note_silence(RobotId robot, Watch& watch, HostTime now, std::string_view how) {
+  if (!watch.alive) return;
+  watch.alive = false;
+  note(now, Level::kAlarm, robot_name(robot) + std::string(how));
+}
+
+void Station::hear(const bus::Sample<bus::RobotState>& sample) {
+  if (!sample.message) {
+    const auto found = robot_of_instance_.find(sample.instance);
+    if (found == robot_of_instance_.end() || sample.presence == bus::Presence::kAlive) return;
+    const bool gone = sample.presence == bus::Presence::kGone;
+    note_silence(
+        found->second, watch_of(found->second), sample.received, gone ? " left" : " is silent");
+    return;
+  }
+  const bus::RobotState& state = *sample.message;
+  const RobotId robot = state.id.robot;
+  if (robot_of_instance_.size() < kMaxInstances) robot_of_instance_[sample.instance] = robot;
+  Watch& watch = watch_of(robot);
+  note_boot(robot, watch, state.id.boot, sample.received);
+  if (!watch.alive) {
+    note(sample.received,
+         Level::kInfo,
+         robot_name(robot) + (watch.was_heard ? " is back" : " joined"));
+  }
+  const bool lost_before = watch.state && watch.state->camera_lost;
+  if (state.camera_lost && !lost_before) {
+    note(sample.received, Level::kAlarm, robot_name(robot) + ": its camera is lost");
+  } else if (!state.camera_lost && lost_before) {
+    note(sample.received, Level::kInfo, robot_name(robot) + ": its camera is back");
+  }
+  watch.alive = true;
+  watch.was_heard = true;
+  watch.heard = sample.received;
+  watch.state = state;
+}
+
+void Station::hear(const bus::Sample<bus::Sightings>& sample) {
+  if (!sample.message) return;
+  const bus::Sightings& sightings = *sample.message;
+  Watch& watch = watch_of(sightings.id.robot);
+  watch.link.add(sightings.id, sightings.exposure, sightings.published, sample.received);
+}
+
+void Station::hear(const bus::Sample<WorldModel>& sample) {
+  if (!sample.message) return;
+  const WorldModel& world = *sample.message;
+  const std::string leader =
+      "The fusion of robot " + std::to_string(static_cast<unsigned>(world.id.robot));
+  if (!world_) {
+    note(sample.received, Level::kInfo, leader + " leads");
+  } else if (world_->id.robot != world.id.robot) {
+    note(sample.received,
+         Level::kWarning,
+         leader + " took over from that of robot " +
+             std::to_string(static_cast<unsigned>(world_->id.robot)));
+  }
+  note_quarantines(world, sample.received);
+  world_ = world;
+  world_heard_ = sample.received;
+}
+
+void Station::note_quarantines(const WorldModel& world, HostTime now) {
+  for (const WorldTeammate& teammate : world.teammates) {
+    const auto found = robots_.find(teammate.robot);
+    if (found == robots_.end()) continue;
+    Watch& watch = found->second;
+    if (watch.quarantine == teammate.quarantine) continue;
+    watch.quarantine = teammate.quarantine;
+    const bool is_released = teammate.quarantine == Quarantine::kNone;
+    note(now,
+         is_released ? Level::kInfo : Level::kWarning,
+         robot_name(teammate.robot) +
+             (is_released ? " is trusted again"
+                          : " is in quarantine: " + std::string(reason_of(teammate.quarantine))));
+  }
+}
+
+void Station::hear(const bus::Sample<bus::Explanation>& sample) {
+  if (!sample.message) return;
+  for (const bus::ExplainedRobot& robot : sample.message->robots) {
+    const auto found = robots_.find(robot.robot);
+    if (found != robots_.end()) found->second.explained = robot;
+  }
+}
+
+void Station::hear(const bus::Sample<bus::Diagnostics>& sample) {
+  if (!sample.message) return;
+  const bus::Diagnostics& diagnostics = *sample.message;
+  const auto known = processes_.find(diagnostics.process);
+  if (known == processes_.end() && processes_.size() == kMaxProcesses) return;
+  const bool was_healthy = known == processes_.end() || known->second.healthy;
+  if (was_healthy && !diagnostics.healthy) {
+    note(sample.received, Level::kWarning, diagnostics.process + ": " + diagnostics.message);
+  } else if (!was_healthy && diagnostics.healthy) {
+    note(sample.received, Level::kInfo, diagnostics.process + " is healthy again");
+  }
+  processes_[diagnostics.process] = diagnostics;
+  const bool is_agent = diagnostics.process.starts_with(kAgentPrefix);
+  const auto robot = robots_.find(diagnostics.id.robot);
+  if (is_agent && robot != robots_.end()) robot->second.agent = diagnostics;
+}
+
+void Station::hear(const bus::Sample<bus::Truth>& sample) {
+  if (!sample.message) return;
+  truth_ = sample.message;
+  truth_heard_ = sample.received;
+}
+
+void Station::count(std::string_view topic, const bus::ReadCounters& counters) {
+  for (std::size_t i = 0; i < bus::kRejectReasons; ++i) {
+    if (counters.rejected[i] == 0) continue;
+    const std::string_view reason = bus::to_string(static_cast<bus::Reject>(i));
+    rejected_[std::string(topic) + "." + std::string(reason)] = counters.rejected[i];
+  }
+}
+
+RobotRow Station::row_of(RobotId robot, const Watch& watch, HostTime now) const {
+  RobotRow row;
+  row.robot = robot;
+  row.alive = watch.alive;
+  row.duplicate =
+      watch.shared_id_seen != HostTime{} && now - watch.shared_id_seen < parameters_.duplicate_for;
+  row.age = now - watch.heard;
+  row.link = watch.link.report(now);
+  row.state = watch.state;
+  row.agent = watch.agent;
+  row.explained = watch.explained;
+  return row;
+}
+
+Update Station::update(HostTime now) {
+  Update update;
+  update.stamp = now;
+  for (auto& [robot, watch] : robots_) {
+    if (!watch.was_heard) continue;  // its Sightings came before its RobotState
+    if (now - watch.heard > parameters_.silent_after) {
+      note_silence(robot, watch, now, " is silent");
+    }
+    update.robots.push_back(row_of(robot, watch, now));
+  }
+  update.world = world_;
+  if (world_) update.world_age = now - world_heard_;
+  if (truth_ && now - truth_heard_ < parameters_.world_late_after) update.truth = truth_;
+  for (const auto& [name, diagnostics] : processes_) {
+    if (!name.starts_with(kAgentPrefix)) update.processes.push_back(diagnostics);
+  }
+  for (const auto& [name, value] : rejected_) update.rejected.push_back({name, value});
+  update.events = std::exchange(events_, {});
+  update.silence = silence(update);
+  return update;
+}
+
+std::string Station::silence(const Update& update) const {
+  std::vector<RobotId> alive;
+  for (const RobotRow& row : update.robots) {
+    if (row.alive) alive.push_back(row.robot);
+  }
+  if (update.world && update.world_age <= parameters_.world_late_after) return {};
+  if (!alive.empty()) {
+    const std::string heard = (alive.size() == 1 ? "Robot " : "Robots ") + list_of(alive);
+    if (update.world)
+      return heard + " heard, but the leading fusion fell silent and none took over";
+    return heard + " heard, but no fusion: is teamsight-fusion running?";
+  }
+  if (!update.robots.empty()) return "Every robot fell silent";
+  if (update.world) return "The world model is old, and no robot is heard";
+  if (!update.rejected.empty()) {
+    return "Samples arrive on " + parameters_.where +
+           ", but every one was dropped: " + update.rejected.front().name;
+  }
+  return "Nothing heard yet on " + parameters_.where + ": are the robots on, in this domain?";
+}
+
+}  // namespace teamsight::monitor

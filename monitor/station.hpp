@@ -1,0 +1,87 @@
+// monitor/station.hpp: samples in, what the operator sees out. No clock, no network.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bus/messages.hpp"
+#include "bus/reader.hpp"
+#include "bus/reject.hpp"
+#include "geometry/identity.hpp"
+#include "geometry/time.hpp"
+#include "geometry/world_model.hpp"
+#include "monitor/link_meter.hpp"
+#include "monitor/update.hpp"
+
+namespace teamsight::monitor {
+
+struct StationParameters {
+  Duration window{std::chrono::seconds(5)};  ///< rate, loss and latency are over this long
+  Duration silent_after{
+      std::chrono::seconds(1)};  ///< a robot that says nothing for so long is silent
+  Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
+  Duration duplicate_for{std::chrono::seconds(2)};     ///< how long a shared robot id is remembered
+  std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
+};
+
+/// Keeps the newest of every topic and notices what changes. A value: copy it, ask it, drop it.
+///
+/// Samples must be handed over in the order they were received.
+class Station {
+ public:
+  explicit Station(StationParameters parameters);
+
+  void hear(const bus::Sample<bus::RobotState>& sample);
+  void hear(const bus::Sample<bus::Sightings>& sample);
+  void hear(const bus::Sample<WorldModel>& sample);
+  void hear(const bus::Sample<bus::Explanation>& sample);
+  void hear(const bus::Sample<bus::Diagnostics>& sample);
+  void hear(const bus::Sample<bus::Truth>& sample);
+
+  /// What a reader has dropped until now.
+  void count(std::string_view topic, const bus::ReadCounters& counters);
+
+  /// Everything to show at `now`, with the events since the last call.
+  [[nodiscard]] Update update(HostTime now);
+
+ private:
+  struct Watch {
+    explicit Watch(Duration window) : link(window) {}
+
+    bool alive{false};
+    bool was_heard{false};
+    HostTime heard;
+    HostTime shared_id_seen;
+    std::uint32_t boot{0};
+    std::uint32_t boot_before{0};
+    LinkMeter link;
+    std::optional<bus::RobotState> state;
+    std::optional<bus::Diagnostics> agent;
+    std::optional<bus::ExplainedRobot> explained;
+    Quarantine quarantine{Quarantine::kNone};
+  };
+
+  Watch& watch_of(RobotId robot);
+  void note(HostTime stamp, Level level, std::string text);
+  void note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now);
+  void note_silence(RobotId robot, Watch& watch, HostTime now, std::string_view how);
+  void note_quarantines(const WorldModel& world, HostTime now);
+  [[nodiscard]] RobotRow row_of(RobotId robot, const Watch& watch, HostTime now) const;
+  [[nodiscard]] std::string silence(const Update& update) const;
+
+  StationParameters parameters_;
+  std::map<RobotId, Watch> robots_;
+  std::map<std::uint64_t, RobotId> robot_of_instance_;
+  std::optional<WorldModel> world_;
+  HostTime world_heard_;
+  std::optional<bus::Truth> truth_;
+  HostTime truth_heard_;
+  std::map<std::string, bus::Diagnostics, std::less<>> processes_;
+  std::map<std::string, std::uint64_t, std::less<>> rejected_;
+  std::vector<Event> events_;
+};
+
+}  // namespace teamsight::monitor

@@ -1,0 +1,168 @@
+// monitor/station_to_proto.cpp: the rest of monitor/to_proto.hpp: station, simulator, every
+// process.
+#include "monitor.pb.h"
+#include "monitor/proto_parts.hpp"
+#include "monitor/to_proto.hpp"
+
+namespace teamsight::monitor {
+
+using parts::set;
+using parts::to_ms;
+using parts::to_ns;
+
+namespace {
+
+void fill(const Point<Field>& from, const Point<Field>& until, v1::MonitorField::Line& to) {
+  to.set_from_x_m(from.x);
+  to.set_from_y_m(from.y);
+  to.set_to_x_m(until.x);
+  to.set_to_y_m(until.y);
+}
+
+const char* name_of(Level level) {
+  switch (level) {
+    case Level::kInfo:
+      return "info";
+    case Level::kWarning:
+      return "warning";
+    case Level::kAlarm:
+      return "alarm";
+  }
+  return "info";
+}
+
+void fill(const RobotRow& from, v1::RobotRow& to) {
+  to.set_robot_id(from.robot);
+  to.set_alive(from.alive);
+  to.set_age_ms(to_ms(from.age));
+  to.set_rate_hz(from.link.rate);
+  to.set_loss(from.link.loss);
+  to.set_latency_p50_ms(from.link.latency_p50 ? to_ms(*from.link.latency_p50) : -1.0);
+  to.set_latency_p95_ms(from.link.latency_p95 ? to_ms(*from.link.latency_p95) : -1.0);
+  to.set_received(from.link.received);
+  to.set_duplicate(from.duplicate);
+  if (from.state) to_proto(*from.state, *to.mutable_state());
+  if (from.agent) to_proto(*from.agent, *to.mutable_agent());
+  if (from.explained) set(*from.explained, *to.mutable_explained());
+}
+
+}  // namespace
+
+void to_proto(const bus::ClockProbe& from, v1::ClockProbe& to) {
+  set(from.id, *to.mutable_sample());
+  to.set_sent_ns(to_ns(from.sent));
+}
+
+void to_proto(const bus::ClockEcho& from, v1::ClockEcho& to) {
+  set(from.id, *to.mutable_sample());
+  to.set_sent_ns(to_ns(from.sent));
+  for (const bus::ClockReply& reply : from.replies) {
+    v1::ClockReply& entry = *to.add_replies();
+    set(reply.probe, *entry.mutable_probe());
+    entry.set_received_ns(to_ns(reply.received));
+  }
+}
+
+void to_proto(const bus::GameState& from, v1::GameState& to) {
+  set(from.id, *to.mutable_sample());
+  to.set_stamp_ns(to_ns(from.stamp));
+  to.set_phase(static_cast<std::uint32_t>(from.phase));
+  to.set_piece(static_cast<std::uint32_t>(from.piece));
+  to.set_piece_is_ours(from.piece_is_ours);
+  to.set_running(from.running);
+  to.set_goals_own(from.goals_own);
+  to.set_goals_opponent(from.goals_opponent);
+  to.set_box_connected(from.box_connected);
+  to.set_command_age_ms(to_ms(from.command_age));
+}
+
+void to_proto(const bus::Command& from, v1::Command& to) {
+  set(from.id, *to.mutable_sample());
+  to.set_target_robot_id(from.target);
+  to.set_command_id(from.command);
+  to.set_kind(static_cast<std::uint32_t>(from.kind));
+  set(from.X_FR, from.cov, *to.mutable_posture());
+  to.set_duration_ms(to_ms(from.duration));
+}
+
+void to_proto(const bus::Diagnostics& from, v1::Diagnostics& to) {
+  to.set_process(from.process);
+  set(from.id, *to.mutable_sample());
+  to.set_stamp_ns(to_ns(from.stamp));
+  to.set_healthy(from.healthy);
+  to.set_message(from.message);
+  to.set_frame_age_ms(from.frame_age_ms);
+  to.set_step_ms_p50(from.step_ms_p50);
+  to.set_step_ms_p95(from.step_ms_p95);
+  to.set_cpu_load(from.cpu_load);
+  to.set_resident_kb(from.resident_kb);
+  for (const bus::Counter& counter : from.counters) set(counter, *to.add_counters());
+}
+
+void to_proto(const bus::Truth& from, v1::Truth& to) {
+  set(from.id, *to.mutable_sample());
+  to.set_stamp_ns(to_ns(from.stamp));
+  set(from.p_FB, *to.mutable_ball_p_m());
+  set(from.v_FB, *to.mutable_ball_v_mps());
+  for (const bus::TrueRobot& robot : from.robots) {
+    v1::TrueRobot& entry = *to.add_robots();
+    entry.set_robot_id(robot.robot);
+    entry.set_x_m(robot.X_FR.x());
+    entry.set_y_m(robot.X_FR.y());
+    entry.set_theta_rad(robot.X_FR.theta());
+  }
+}
+
+void to_proto(const FieldModel& from, v1::MonitorField& to) {
+  to.set_name(from.name);
+  to.set_length_m(from.length);
+  to.set_width_m(from.width);
+  to.set_surround_m(from.surround);
+  to.set_line_width_m(from.line_width);
+  to.set_centre_x_m(from.centre.x);
+  to.set_centre_y_m(from.centre.y);
+  for (const FieldLine& line : from.lines) fill(line.from, line.to, *to.add_lines());
+  for (const Wall& wall : from.walls) fill(wall.from, wall.to, *to.add_walls());
+  for (const FieldArc& arc : from.arcs) {
+    v1::MonitorField::Arc& entry = *to.add_arcs();
+    entry.set_centre_x_m(arc.centre.x);
+    entry.set_centre_y_m(arc.centre.y);
+    entry.set_radius_m(arc.radius);
+    entry.set_start_rad(arc.start);
+    entry.set_sweep_rad(arc.sweep);
+  }
+  for (const FieldSpot& spot : from.spots) {
+    v1::MonitorField::Spot& entry = *to.add_spots();
+    entry.set_x_m(spot.centre.x);
+    entry.set_y_m(spot.centre.y);
+    entry.set_radius_m(spot.radius);
+  }
+  for (const Goal& goal : from.goals) {
+    v1::MonitorField::MonitorGoal& entry = *to.add_goals();
+    fill(goal.left_post, goal.right_post, *entry.mutable_mouth());
+    entry.set_depth_m(goal.depth);
+    entry.set_colour(static_cast<std::uint32_t>(goal.colour));
+  }
+}
+
+void to_proto(const Update& from, v1::MonitorUpdate& to) {
+  to.set_stamp_ns(to_ns(stamp_of(from.stamp)));
+  if (from.world) to_proto(*from.world, *to.mutable_world());
+  to.set_world_age_ms(to_ms(from.world_age));
+  for (const RobotRow& row : from.robots) fill(row, *to.add_robots());
+  to.set_silence(from.silence);
+  if (from.truth) to_proto(*from.truth, *to.mutable_truth());
+  for (const bus::Diagnostics& process : from.processes) to_proto(process, *to.add_processes());
+  for (const bus::Counter& counter : from.rejected) set(counter, *to.add_rejected());
+}
+
+void events_to_proto(const Update& from, v1::MonitorUpdate& to) {
+  for (const Event& event : from.events) {
+    v1::MonitorEvent& entry = *to.add_events();
+    entry.set_stamp_ns(to_ns(stamp_of(event.stamp)));
+    entry.set_level(name_of(event.level));
+    entry.set_text(event.text);
+  }
+}
+
+}  // namespace teamsight::monitor

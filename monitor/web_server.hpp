@@ -1,0 +1,81 @@
+// monitor/web_server.hpp: serves the page and pushes what it shows over WebSocket.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "monitor/web_files.hpp"
+
+namespace teamsight::monitor {
+
+/// The server cannot listen; one line that names the address, what was found and what to do.
+class WebServerError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WebServerSettings {
+  std::string bind{"127.0.0.1"};  ///< an address of this computer
+  std::uint16_t port{8080};       ///< 0: any free one
+  WebFiles files;
+  std::string greeting;                ///< begins the first message of every connection
+  std::size_t max_clients{64};         ///< connections beyond are closed at once
+  std::size_t max_queued_events{256};  ///< of one client; one that falls further behind is closed
+  std::size_t remembered_events{64};   ///< a new client is told so many of the past ones
+};
+
+/// Encoded messages that may be joined end to end (protobuf reads them as one).
+struct Broadcast {
+  std::string state;   ///< replaces the state before; a slow client skips to the newest
+  std::string events;  ///< reaches every client, each in order; may be empty
+};
+
+struct WebServerCounters {
+  std::uint64_t accepted{0};    ///< WebSocket connections
+  std::uint64_t refused{0};     ///< foreign origin or too many
+  std::uint64_t overrun{0};     ///< closed because they did not keep up with events
+  std::uint64_t misbehaved{0};  ///< closed because of what they sent
+  std::uint64_t clients{0};     ///< WebSocket connections now
+};
+
+/// HTTP for the page's files and WebSocket under /live, on a thread of its own.
+///
+/// A page of another origin, and a page that reached us under a foreign name, is refused. Clients
+/// send nothing: whatever they send closes their connection.
+class WebServer {
+ public:
+  /// Listens at once.
+  ///
+  /// @throws WebServerError if the address cannot be had
+  explicit WebServer(WebServerSettings settings);
+
+  /// Closes every connection and joins the thread.
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
+
+  /// Address of the page, e.g. "http://127.0.0.1:8080/".
+  [[nodiscard]] std::string url() const;
+
+  /// Hands every client what is new. Returns at once; any thread.
+  void publish(Broadcast broadcast);
+
+  /// Any thread.
+  [[nodiscard]] WebServerCounters counters() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Whether a request may be answered: its Host names this computer by number or as localhost, and
+/// its Origin, if it has one, is the page we served ourselves.
+///
+/// Guards against pages of other sites, also those that point a name of theirs at our address.
+[[nodiscard]] bool is_own_page(std::string_view host, std::string_view origin);
+
+}  // namespace teamsight::monitor
