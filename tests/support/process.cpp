@@ -102,7 +102,7 @@ int open_log(const fs::path& path) {
 // Takes the lock for as long as this process lives: the descriptor is never closed.
 bool claim_domain(std::uint32_t id) {
   const fs::path path =
-      fs::temp_directory_path() / ("teamsight-test-domain-" + std::to_string(id) + ".lock");
+      fs::temp_directory_path() / ("teamsight-domain-" + std::to_string(id) + ".lock");
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) {
     return false;
