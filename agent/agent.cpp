@@ -1,0 +1,263 @@
+// agent/agent.cpp: see agent.hpp.
+#include "agent/agent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "agent/identity_guard.hpp"
+#include "bus/clock.hpp"
+
+namespace teamsight::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+// RobotState is a robot's sign of life, also without frames: three of these fit into its lease.
+constexpr Duration kStatePeriod = 60ms;
+constexpr Duration kLinePointsPeriod = 500ms;
+constexpr Duration kShortestLoss = 150ms;  // a frame that is only late is no lost camera
+constexpr Duration kLongestLoss = 2s;
+constexpr Duration kPostureMissed = 3s;
+constexpr double kNewShare = 0.1;  // of one interval in the smoothed frame period
+
+const char* to_text(vision::FrameReject reason) {
+  switch (reason) {
+    case vision::FrameReject::kWrongSize:
+      return "frames.wrong_size";
+    case vision::FrameReject::kWrongFormat:
+      return "frames.wrong_format";
+    case vision::FrameReject::kTruncated:
+      return "frames.truncated";
+  }
+  return "frames.rejected";
+}
+
+std::string in_seconds(Duration duration) {
+  const auto tenths = std::llround(10.0 * to_seconds(duration));
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
+}
+
+}  // namespace
+
+AgentBus::AgentBus(const bus::Participant& team, const bus::Participant& host)
+    : states(team),
+      sightings(team),
+      line_points(team),
+      diagnostics(team),
+      peers(team),
+      commands(team),
+      odometry(host) {}
+
+Agent::Agent(AgentIdentity identity,
+             AgentBus& bus,
+             FrameThread& frames,
+             std::unique_ptr<vision::Perception> perception,
+             Motion motion)
+    : identity_(std::move(identity)),
+      bus_(&bus),
+      frames_(&frames),
+      perception_(std::move(perception)),
+      motion_(std::move(motion)),
+      meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot) {}
+
+void Agent::join(bus::Loop& loop) {
+  loop_ = &loop;
+  loop.on_readable(frames_->event_fd(), [this] { turn(); });
+  loop.on_readable(bus_->commands.event_fd(), [this] { listen_to_commands(); });
+  loop.on_readable(bus_->peers.event_fd(), [this] { listen_to_peers(); });
+  loop.on_readable(bus_->odometry.event_fd(), [this] {
+    bus_->odometry.take(bus::host_now(), [this](const bus::Sample<bus::Odometry>& sample) {
+      if (sample.message.has_value() && sample.message->id.robot == identity_.robot) {
+        motion_.roll(*sample.message);
+      }
+    });
+  });
+  loop.every(kStatePeriod / 3, [this] { keep_alive(); });
+  loop.every(1s, [this] { diagnose(); });
+}
+
+void Agent::turn() {
+  const Frame* frame = frames_->take();
+  if (frame == nullptr) {
+    return;
+  }
+  const process::StepTimer timer(meter_);
+  const vision::MotionPrior prior = motion_.prior_at(frame->exposure);
+  const auto seen = perception_->see(frame->view(), prior);
+  measure_rate(frame->exposure);
+  if (!seen.has_value()) {
+    count_reject(seen.error());
+    return;
+  }
+  motion_.see((*seen)->posture, frame->exposure);
+  write({*seen, frame->exposure});
+}
+
+void Agent::write(const Seen& seen) {
+  reject_.clear();
+  posture_ = seen.observation->posture;
+  exposure_ = seen.exposure;
+  sees_ball_ = sees_ball(*seen.observation);
+  const HostTime now = bus::host_now();
+  if (posture_.status != PostureStatus::kLost) {
+    posture_found_ = now;
+  }
+  write_state(now);
+  if (!muted_) {
+    const ObservationId id{identity_.robot, identity_.boot, ++sightings_count_};
+    bus_->sightings.write(sightings_of(*seen.observation, {id, seen.exposure, bus::host_now()}));
+  }
+  if (now < line_points_until_ && now - line_points_written_ >= kLinePointsPeriod) {
+    const ObservationId id{identity_.robot, identity_.boot, ++line_points_count_};
+    bus_->line_points.write(line_points_of(*seen.observation, {id, seen.exposure, now}));
+    line_points_written_ = now;
+  }
+}
+
+void Agent::write_state(HostTime now) {
+  bus::RobotState state;
+  state.id = {identity_.robot, identity_.boot, ++state_count_};
+  state.camera_lost = is_camera_lost(now);
+  // The posture was true at its exposure; without any frame the present stands for "unknown now".
+  state.exposure = stamp_of(exposure_ == HostTime{} ? now : exposure_);
+  state.published = stamp_of(now);
+  state.posture = posture_;
+  if (state.camera_lost) {
+    state.posture.status = PostureStatus::kLost;
+  }
+  state.v_R = motion_.v_R(now);
+  state.omega = motion_.omega(now);
+  state.command_acknowledged = acknowledged_;
+  state.sees_ball = sees_ball_ && !state.camera_lost;
+  state.frame_rate = frame_period_ > 0.0 && !state.camera_lost ? 1.0 / frame_period_ : 0.0;
+  state.cpu_load = cpu_load_;
+  state.software_version = identity_.software_version;
+  bus_->states.write(state);
+  state_written_ = now;
+}
+
+void Agent::keep_alive() {
+  const HostTime now = bus::host_now();
+  if (now - state_written_ >= kStatePeriod) {
+    write_state(now);
+  }
+}
+
+void Agent::measure_rate(HostTime exposure) {
+  if (exposure_ == HostTime{} || exposure <= exposure_) {
+    return;
+  }
+  const double interval = to_seconds(exposure - exposure_);
+  const bool is_restart = frame_period_ == 0.0 || interval > 5.0 * frame_period_;
+  frame_period_ = is_restart ? std::min(interval, 1.0)
+                             : (1.0 - kNewShare) * frame_period_ + kNewShare * interval;
+}
+
+void Agent::count_reject(vision::FrameReject reason) {
+  reject_ = to_text(reason);
+  meter_.count(reject_);
+}
+
+bool Agent::is_camera_lost(HostTime now) const {
+  if (exposure_ == HostTime{}) {
+    return true;
+  }
+  const Duration three_frames = from_seconds(3.0 * frame_period_);
+  return now - exposure_ > std::clamp<Duration>(three_frames, kShortestLoss, kLongestLoss);
+}
+
+std::string Agent::complaint(const SourceReport& source, HostTime now) const {
+  if (!reject_.empty()) {
+    return reject_ + ": the frames are not what the camera file says";
+  }
+  if (!source.is_open) {
+    return "camera: " + source.problem;
+  }
+  if (source.is_finished) {
+    return "camera: the last frame of the files was given";
+  }
+  if (exposure_ == HostTime{}) {
+    return "camera: no frame yet";
+  }
+  if (is_camera_lost(now)) {
+    return "camera: no frame for " + in_seconds(now - exposure_);
+  }
+  if (now - posture_found_ > kPostureMissed) {
+    return "posture lost: check field file, camera file, mask and light";
+  }
+  return {};
+}
+
+void Agent::diagnose() {
+  const HostTime now = bus::host_now();
+  const SourceReport source = frames_->report();
+  meter_.set("frames.read", source.frames);
+  meter_.set("frames.overwritten", source.overwritten);
+  meter_.set("camera.reopened", source.reopened);
+  meter_.set("RobotState", bus_->states.counters());
+  meter_.set("Sightings", bus_->sightings.counters());
+  meter_.set("Command", bus_->commands.counters());
+  meter_.set("Odometry", bus_->odometry.counters());
+  bus::Diagnostics report = meter_.report(now);
+  cpu_load_ = report.cpu_load;
+  report.message = complaint(source, now).substr(0, 95);
+  report.healthy = report.message.empty();
+  report.frame_age_ms = exposure_ == HostTime{} ? -1.0 : 1e3 * to_seconds(now - exposure_);
+  bus_->diagnostics.write(report);
+}
+
+void Agent::listen_to_commands() {
+  const HostTime now = bus::host_now();
+  bus_->commands.take(now, [this, now](const bus::Sample<bus::Command>& sample) {
+    if (!sample.message.has_value()) {
+      return;
+    }
+    const bus::Command& command = *sample.message;
+    const bool is_for_me = command.target == kNobody || command.target == identity_.robot;
+    if (is_for_me && carry_out(command, now)) {
+      acknowledged_ = command.command;
+    }
+  });
+}
+
+bool Agent::carry_out(const bus::Command& command, HostTime now) {
+  switch (command.kind) {
+    case bus::CommandKind::kRelocate:
+      motion_.place(command.X_FR, command.cov, now);
+      return true;
+    case bus::CommandKind::kMute:
+      muted_ = true;
+      return true;
+    case bus::CommandKind::kUnmute:
+      muted_ = false;
+      return true;
+    case bus::CommandKind::kLinePoints:
+      line_points_until_ = now + command.duration;
+      return true;
+    case bus::CommandKind::kNone:
+    case bus::CommandKind::kBallHint:
+    case bus::CommandKind::kThumbnail:
+      break;
+  }
+  meter_.count("Command.not_understood");
+  return false;
+}
+
+void Agent::listen_to_peers() {
+  const ObservationId own{identity_.robot, identity_.boot, state_count_};
+  bus_->peers.take(bus::host_now(), [this, &own](const bus::Sample<bus::RobotState>& sample) {
+    if (!sample.message.has_value()) {
+      return;
+    }
+    const Rivalry rivalry = judge_rival(own, sample.message->id);
+    if (rivalry == Rivalry::kStay) {
+      meter_.count("rival.samples");
+    } else if (rivalry == Rivalry::kYield) {
+      yielded_ = true;
+      loop_->stop();
+    }
+  });
+}
+
+}  // namespace teamsight::agent

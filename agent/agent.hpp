@@ -1,0 +1,102 @@
+// agent/agent.hpp: the process on a robot: frames in, topics out. One turn is one frame.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "agent/frame_thread.hpp"
+#include "agent/motion.hpp"
+#include "agent/translate.hpp"
+#include "bus/loop.hpp"
+#include "bus/participant.hpp"
+#include "bus/reader.hpp"
+#include "bus/writer.hpp"
+#include "geometry/identity.hpp"
+#include "process/meter.hpp"
+#include "vision/perception.hpp"
+
+namespace teamsight::agent {
+
+/// Every reader and writer of the process; made at start, before any traffic.
+struct AgentBus {
+  AgentBus(const bus::Participant& team, const bus::Participant& host);
+
+  bus::Writer<bus::RobotState> states;
+  bus::Writer<bus::Sightings> sightings;
+  bus::Writer<bus::LinePoints> line_points;
+  bus::Writer<bus::Diagnostics> diagnostics;
+  bus::Reader<bus::RobotState> peers;
+  bus::Reader<bus::Command> commands;
+  bus::Reader<bus::Odometry> odometry;
+};
+
+/// Who this agent is and what it starts from.
+struct AgentIdentity {
+  RobotId robot{kNobody};
+  std::uint32_t boot{0};
+  std::string software_version;
+};
+
+/// Keeps a frame source, the vision and the topics together. Use from the loop's thread.
+class Agent {
+ public:
+  Agent(AgentIdentity identity,
+        AgentBus& bus,
+        FrameThread& frames,
+        std::unique_ptr<vision::Perception> perception,
+        Motion motion);
+
+  /// Puts everything the agent reacts to into the loop.
+  void join(bus::Loop& loop);
+
+  /// Whether an older process with the same robot id made this one give up.
+  [[nodiscard]] bool has_yielded() const { return yielded_; }
+
+ private:
+  struct Seen {
+    const vision::FrameObservation* observation{nullptr};
+    HostTime exposure{};
+  };
+
+  void turn();
+  void write(const Seen& seen);
+  void write_state(HostTime now);
+  void keep_alive();
+  void diagnose();
+  void listen_to_commands();
+  bool carry_out(const bus::Command& command, HostTime now);
+  void listen_to_peers();
+  void measure_rate(HostTime exposure);
+  void count_reject(vision::FrameReject reason);
+  [[nodiscard]] bool is_camera_lost(HostTime now) const;
+  [[nodiscard]] std::string complaint(const SourceReport& source, HostTime now) const;
+
+  AgentIdentity identity_;
+  AgentBus* bus_;
+  FrameThread* frames_;
+  std::unique_ptr<vision::Perception> perception_;
+  Motion motion_;
+  process::ProcessMeter meter_;
+  bus::Loop* loop_{nullptr};
+
+  PostureEstimate posture_;   // of the newest frame
+  HostTime exposure_{};       // of the newest frame; zero: none yet
+  HostTime posture_found_{};  // when it last was not lost
+  bool sees_ball_{false};
+  double frame_period_{0.0};  // s, smoothed; 0: not known
+  double cpu_load_{0.0};
+  std::string reject_;  // why the newest frame said nothing; empty if it did
+
+  std::uint32_t state_count_{0};
+  std::uint32_t sightings_count_{0};
+  std::uint32_t line_points_count_{0};
+  HostTime state_written_{};
+  HostTime line_points_until_{};
+  HostTime line_points_written_{};
+  std::uint32_t acknowledged_{0};
+  bool muted_{false};
+  bool yielded_{false};
+};
+
+}  // namespace teamsight::agent

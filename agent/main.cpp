@@ -1,0 +1,208 @@
+// agent/main.cpp: the program `teamsight-agent`: one robot's camera onto the bus.
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include "agent/agent.hpp"
+#include "agent/open_source.hpp"
+#include "bus/clock.hpp"
+#include "process/domains.hpp"
+#include "process/program.hpp"
+#include "settings/load.hpp"
+
+namespace teamsight::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+// How long an older process with the same id has to make itself heard: discovery and a few states.
+constexpr Duration kListenForRivals = 1s;
+
+struct Options {
+  std::string robot;
+  std::string source;
+  std::string prior;
+  std::string field;
+  std::string camera;
+  double rate_hz{-1.0};
+  bool loop{false};
+  process::DomainOptions domains;
+};
+
+std::optional<int> parse(Options& options, int argc, const char* const* argv) {
+  CLI::App app("One robot's camera onto the bus: posture, ball and obstacles of every frame.");
+  app.add_option("--robot", options.robot, "robot file (config/robots)")->required();
+  app.add_option("--source",
+                 options.source,
+                 "raw:FILE,... image:FILE,... video:FILE gst:PIPELINE v4l2:DEVICE stream:PATH")
+      ->required();
+  app.add_option("--rate-hz",
+                 options.rate_hz,
+                 "at most so many frames per second; 0: as they come (files: 15, live: 0)");
+  app.add_flag("--loop", options.loop, "begin files again after the last frame");
+  app.add_option("--prior", options.prior, "where the robot is at first: x_m,y_m,theta_rad");
+  app.add_option("--field", options.field, "field file instead of the team's");
+  app.add_option("--camera", options.camera, "camera file instead of the robot's");
+  app.add_option("--team-domain", options.domains.team_domain, "DDS domain instead of the team's");
+  app.add_option("--host-tag", options.domains.host_tag, "tag of the robot's own DDS domain");
+  return process::parse_command_line(app, argc, argv);
+}
+
+Pose<Field, Robot> parse_prior(const std::string& text) {
+  std::istringstream stream(text);
+  double x = 0.0;
+  double y = 0.0;
+  double theta = 0.0;
+  char first = 0;
+  char second = 0;
+  std::string rest;
+  stream >> x >> first >> y >> second >> theta;
+  const bool is_whole = stream && first == ',' && second == ',' && !(stream >> rest);
+  if (!is_whole || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(theta)) {
+    throw std::runtime_error("--prior: found \"" + text + "\", expected x_m,y_m,theta_rad");
+  }
+  return {x, y, theta};
+}
+
+vision::StartSide start_side_of(settings::StartSide side) {
+  switch (side) {
+    case settings::StartSide::kOwnHalf:
+      return vision::StartSide::kOwnHalf;
+    case settings::StartSide::kOpponentHalf:
+      return vision::StartSide::kOpponentHalf;
+    case settings::StartSide::kUnknown:
+      break;
+  }
+  return vision::StartSide::kUnknown;
+}
+
+// Everything from files, read and checked.
+struct Setup {
+  settings::RobotSettings robot;
+  FieldModel field;
+  vision::CameraParameters camera;
+  SourceChoice source;
+};
+
+Setup load(const Options& options) {
+  Setup setup;
+  setup.robot = settings::load_robot(options.robot);
+  setup.field =
+      settings::load_field(options.field.empty() ? setup.robot.team.field : options.field);
+  setup.camera =
+      settings::load_camera(options.camera.empty() ? setup.robot.camera : options.camera);
+  setup.source = parse_source(options.source);
+  return setup;
+}
+
+// Decoders give BGR, whatever the camera on the robot gives.
+vision::CameraParameters camera_for(const Setup& setup) {
+  vision::CameraParameters camera = setup.camera;
+  const SourceKind kind = setup.source.kind;
+  if (kind == SourceKind::kPictures || kind == SourceKind::kVideoFile ||
+      kind == SourceKind::kGstreamer) {
+    camera.format = vision::PixelFormat::kBgr;
+  }
+  return camera;
+}
+
+Motion make_motion(const Options& options, const Setup& setup) {
+  Motion motion({}, start_side_of(setup.robot.start_side));
+  if (!options.prior.empty()) {
+    const Eigen::Vector3d sigma(0.5, 0.5, 0.3);  // what a person can pace out and see
+    motion.place(parse_prior(options.prior), sigma.cwiseAbs2().asDiagonal(), bus::host_now());
+  }
+  return motion;
+}
+
+// Listens until the vision's tables are made, and at least as long as a rival needs to be heard.
+void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot) {
+  const HostTime until = bus::host_now() + kListenForRivals;
+  std::optional<std::uint32_t> rival;
+  bus::Loop loop;
+  loop.on_readable(peers.event_fd(), [&] {
+    peers.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
+      if (sample.message.has_value() && sample.message->id.robot == robot) {
+        rival = sample.message->id.boot;
+        loop.stop();
+      }
+    });
+  });
+  loop.every(50ms, [&] {
+    if (bus::host_now() >= until) {
+      loop.stop();
+    }
+  });
+  loop.run();
+  if (rival.has_value()) {
+    throw std::runtime_error("robot id " + std::to_string(robot) +
+                             ": found another process that speaks under it (boot " +
+                             std::to_string(*rival) + "), expected to be the only one");
+  }
+}
+
+int run(const Options& options) {
+  const Setup setup = load(options);
+  Motion motion = make_motion(options, setup);
+  const vision::CameraParameters camera = camera_for(setup);
+  const PictureLayout layout{camera.width_px, camera.height_px, camera.format};
+  const auto open = [source = setup.source, layout, loop = options.loop] {
+    return open_source(source, layout, loop);
+  };
+  const bool is_live = may_come_later(setup.source.kind);
+  std::unique_ptr<FrameSource> first = is_live ? nullptr : open();
+
+  const settings::TeamSettings& team = setup.robot.team;
+  auto perception = std::async(std::launch::async, [&] {
+    return std::make_unique<vision::Perception>(
+        camera, setup.field, vision::PerceptionParameters{team.ball_radius, team.robot_radius});
+  });
+  const auto team_bus = bus::Participant::join(process::team_domain(team, options.domains));
+  const std::string tag = options.domains.host_tag.empty()
+                              ? process::default_host_tag(team, setup.robot.id)
+                              : options.domains.host_tag;
+  const auto host_bus = bus::Participant::join(process::host_domain(team, options.domains, tag));
+  AgentBus bus(team_bus, host_bus);
+  refuse_second(bus.peers, setup.robot.id);
+  // Commands that were waiting are about the time before this start.
+  bus.commands.take(bus::host_now(), [](const bus::Sample<bus::Command>&) {});
+
+  FrameThread frames(open,
+                     std::move(first),
+                     options.rate_hz >= 0 ? options.rate_hz
+                     : is_live            ? 0.0
+                                          : 15.0);
+  Agent agent({setup.robot.id, process::draw_boot_id(), TEAMSIGHT_VERSION},
+              bus,
+              frames,
+              perception.get(),
+              std::move(motion));
+  bus::Loop loop;
+  agent.join(loop);
+  loop.run();
+  if (agent.has_yielded()) {
+    throw std::runtime_error("robot id " + std::to_string(setup.robot.id) +
+                             ": found an older process that speaks under it, this one ends");
+  }
+  return process::kDone;
+}
+
+}  // namespace
+}  // namespace teamsight::agent
+
+int main(int argc, char** argv) {
+  return teamsight::process::run_program("teamsight-agent", [&] {
+    teamsight::agent::Options options;
+    if (const auto code = teamsight::agent::parse(options, argc, argv)) {
+      return *code;
+    }
+    return teamsight::agent::run(options);
+  });
+}
