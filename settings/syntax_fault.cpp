@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <regex>
 #include <string_view>
 #include <vector>
@@ -15,9 +14,10 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 
+constexpr int kTab = 8;  // protobuf counts a tab up to the next multiple
+
 // Offset of a place that the parser names by line and column, both from 0.
 std::size_t offset_of(const std::string& text, int line, int column) {
-  constexpr int kTab = 8;
   std::size_t at = 0;
   for (int i = 0; i < line && at < text.size(); ++i) {
     at = std::min(text.find('\n', at), text.size() - 1) + 1;
@@ -43,14 +43,15 @@ std::size_t skip_opaque(std::string_view text, std::size_t at) {
   return std::min(end + 1, text.size());
 }
 
-// Keeps account of the blocks that are open and of the key that was named last.
+// Keeps account of the blocks that are open, of the key named last, and of where the last word is.
 class KeyTrail {
  public:
-  // Reads the text up to `end`; the word that starts there belongs to it.
-  void read(std::string_view text, std::size_t end) {
-    for (std::size_t at = 0; at < text.size() && at <= end;) {
+  // Reads up to where the parser complained; what starts there is not read any more.
+  explicit KeyTrail(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
       const std::size_t behind = skip_opaque(text, at);
-      at = behind != at ? behind : read_token(text, at, end);
+      if (behind != at && text[at] != '#') after_colon_ = false;  // a quoted value
+      at = behind != at ? behind : read_token(text, at);
     }
   }
 
@@ -58,11 +59,12 @@ class KeyTrail {
 
   [[nodiscard]] const std::string& key() const { return key_; }
 
+  [[nodiscard]] std::size_t last_word() const { return last_word_; }
+
  private:
-  std::size_t read_token(std::string_view text, std::size_t at, std::size_t end) {
+  std::size_t read_token(std::string_view text, std::size_t at) {
     const char c = text[at];
     if (is_word(c)) return read_word(text, at);
-    if (at == end) return at + 1;  // the complaint is about this sign: it opens or closes nothing
     if (c == ':') after_colon_ = true;
     if (c == '{' || c == '<') open_.push_back(key_);
     if ((c == '}' || c == '>') && !open_.empty()) open_.pop_back();
@@ -78,11 +80,13 @@ class KeyTrail {
     while (behind < text.size() && (is_word(text[behind]) || text[behind] == '.')) ++behind;
     if (!after_colon_) key_ = text.substr(at, behind - at);
     after_colon_ = false;
+    last_word_ = at;
     return behind;
   }
 
   std::vector<std::string> open_;
   std::string key_;
+  std::size_t last_word_{0};
   bool after_colon_{false};
 };
 
@@ -96,69 +100,73 @@ const Descriptor* type_inside(const Descriptor& type, const std::vector<std::str
   return here;
 }
 
-std::string expected_of(const Descriptor* type, const std::string& key, const char* otherwise) {
-  const FieldDescriptor* field = type == nullptr ? nullptr : type->FindFieldByName(key);
-  return field == nullptr ? otherwise : expected_value(*field);
-}
-
 struct Wording {
   const char* pattern;   // of protobuf's message
   const char* found;     // $1 is the first group
   const char* expected;  // empty: what the key takes
+  bool is_late;          // the parser had already gone on to the next word
 };
 
 // The first that matches counts.
 constexpr Wording kWordings[] = {
+    {R"re(Message type ".*" has no field named "(.*)"\.)re", "an unknown key", "keys", true},
     {R"re(Non-repeated field "(.*)" is specified multiple times\.)re",
      "a second value",
-     "one value"},
+     "one value",
+     true},
     {R"re(Field "(.*)" is specified along with field "(.*)", another member of oneof.*)re",
      "'$1' besides '$2'",
-     "only one of the two"},
-    {R"re(Unknown enumeration value of "(.*)" for field .*)re", "'$1'", ""},
-    {R"re(Integer out of range \((.*)\).*)re", "$1", ""},
-    {R"re(Invalid value for boolean field .* Value: "(.*)"\.)re", "'$1'", ""},
-    {R"re(Expected (?:integer|double|string|identifier), got: (.+))re", "'$1'", ""},
-    {R"re(Expected (.*), found "(.*)"\.)re", "'$2'", "$1"},
-    {R"re(Expected (.*), got: (.*))re", "'$2'", "$1"},
+     "only one of the two",
+     true},
+    {R"re(Unknown enumeration value of "(.*)" for field .*)re", "'$1'", "", true},
+    {R"re(Invalid value for boolean field .* Value: "(.*)"\.)re", "'$1'", "", true},
+    {R"re(Integer out of range \((.*)\).*)re", "$1", "", false},
+    {R"re(Expected (?:integer|double|string|identifier), got: (.+))re", "'$1'", "", false},
+    {R"re(Expected (.*), found "(.*)"\.)re", "'$2'", "$1", false},
+    {R"re(Expected (.*), got: (.*))re", "'$2'", "$1", false},
 };
 
-std::optional<SchemaFault> reworded(const std::string& message,
-                                    const Descriptor* type,
-                                    const std::string& key) {
-  for (const Wording& wording : kWordings) {
-    std::smatch match;
-    if (!std::regex_match(message, match, std::regex(wording.pattern))) continue;
-    const std::string expected = match.format(wording.expected);
-    return SchemaFault{{},
-                       match.format(wording.found),
-                       expected.empty() ? expected_of(type, key, "a key") : expected};
+constexpr std::string_view kKeys = "keys";  // in place of the keys that the block takes
+
+std::string expected_of(const std::string& wanted, const Descriptor* type, const std::string& key) {
+  if (!wanted.empty() && wanted != kKeys) return wanted;
+  if (type == nullptr) return "a key of this block";
+  const FieldDescriptor* field = type->FindFieldByName(key);
+  return field == nullptr || wanted == kKeys ? "one of " + expected_keys(*type)
+                                             : expected_value(*field);
+}
+
+// Sets line and column to a place in the text.
+void move_to(SyntaxFault& fault, std::string_view text, std::size_t at) {
+  const std::string_view before = text.substr(0, at);
+  fault.line = static_cast<int>(std::ranges::count(before, '\n'));
+  const std::size_t line_start = before.rfind('\n') + 1;  // 0 if there is none
+  fault.column = 0;
+  for (const char c : before.substr(line_start)) {
+    fault.column += c == '\t' ? kTab - fault.column % kTab : 1;
   }
-  return std::nullopt;
 }
 
 }  // namespace
 
-SchemaFault syntax_fault(const Descriptor& type,
+SyntaxFault syntax_fault(const Descriptor& type,
                          const std::string& text,
-                         int line,
-                         int column,
-                         const std::string& message) {
-  KeyTrail trail;
-  trail.read(text, offset_of(text, line, column));
+                         const SyntaxFault& complaint) {
+  const std::size_t at = offset_of(text, complaint.line, complaint.column);
+  const KeyTrail trail(std::string_view(text).substr(0, at));
   const Descriptor* here = type_inside(type, trail.open());
-  std::smatch unknown;
-  static const std::regex kUnknownKey(R"re(Message type ".*" has no field named "(.*)"\.)re");
-  const bool is_unknown = std::regex_match(message, unknown, kUnknownKey);
-
-  SchemaFault fault{{}, message, "protobuf text format"};
-  if (is_unknown) {
-    fault = {{}, "an unknown key", "one of " + (here ? expected_keys(*here) : "the keys above")};
-  } else if (auto words = reworded(message, here, trail.key())) {
-    fault = *std::move(words);
+  SyntaxFault fault = complaint;
+  fault.expected = "protobuf text format";
+  for (const Wording& wording : kWordings) {
+    std::smatch match;
+    if (!std::regex_match(complaint.found, match, std::regex(wording.pattern))) continue;
+    fault.found = match.format(wording.found);
+    fault.expected = expected_of(match.format(wording.expected), here, trail.key());
+    if (wording.is_late) move_to(fault, text, trail.last_word());
+    break;
   }
   for (const std::string& outer : trail.open()) fault.key += outer + ".";
-  fault.key += is_unknown ? unknown[1].str() : trail.key();
+  fault.key += trail.key();
   if (!fault.key.empty() && fault.key.back() == '.') fault.key.pop_back();
   return fault;
 }

@@ -9,18 +9,22 @@
 
 namespace teamsight::settings {
 
-/// Turns the parser's message into key, found and expected.
+/// A complaint and where it points: line and column from 0, tabs reach to the next multiple of 8.
+struct SyntaxFault : SchemaFault {
+  int line{0};
+  int column{0};
+};
+
+/// Turns the parser's complaint into key, found and expected.
 ///
-/// The key is not in the message: it is found by reading the text up to the complaint.
+/// The key is not in protobuf's message: it is found by reading the text up to the complaint. For
+/// some complaints the parser is already past the word in question; then the place is corrected.
 ///
-/// @param type     the message type of the whole file
-/// @param text     the whole file
-/// @param line, column  where the parser complained, from 0; tabs reach to the next multiple of 8
-/// @param message  what it said
-[[nodiscard]] SchemaFault syntax_fault(const google::protobuf::Descriptor& type,
+/// @param type       the message type of the whole file
+/// @param text       the whole file
+/// @param complaint  where the parser complained, with its message as `found`
+[[nodiscard]] SyntaxFault syntax_fault(const google::protobuf::Descriptor& type,
                                        const std::string& text,
-                                       int line,
-                                       int column,
-                                       const std::string& message);
+                                       const SyntaxFault& complaint);
 
 }  // namespace teamsight::settings

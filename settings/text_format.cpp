@@ -31,19 +31,13 @@ SettingsError complaint(const std::filesystem::path& path, Place place, const Sc
 class FirstError : public google::protobuf::io::ErrorCollector {
  public:
   void AddError(int line, int column, const std::string& message) override {
-    if (!message_) {
-      place_ = {line, column};
-      message_ = message;
-    }
+    if (!first_) first_ = SyntaxFault{{{}, message, {}}, line, column};
   }
 
-  [[nodiscard]] const std::optional<std::string>& message() const { return message_; }
-
-  [[nodiscard]] Place place() const { return place_; }
+  [[nodiscard]] const std::optional<SyntaxFault>& first() const { return first_; }
 
  private:
-  Place place_;
-  std::optional<std::string> message_;
+  std::optional<SyntaxFault> first_;
 };
 
 std::string text_in(const std::filesystem::path& path) {
@@ -65,6 +59,15 @@ std::pair<std::string, int> name_and_index(std::string_view step) {
   return {std::string(step.substr(0, bracket)), index};
 }
 
+// The place of one key; a list in brackets has only one place, that of its first value.
+Place place_in(const TextFormat::ParseInfoTree& tree,
+               const google::protobuf::FieldDescriptor& field,
+               int index) {
+  Place place = tree.GetLocation(&field, index);
+  while (place.line < 0 && index > 0) place = tree.GetLocation(&field, --index);
+  return place;
+}
+
 // The place of the deepest key on the way to `key` that stands in the file.
 Place place_of(const google::protobuf::Descriptor* type,
                TextFormat::ParseInfoTree* tree,
@@ -75,8 +78,8 @@ Place place_of(const google::protobuf::Descriptor* type,
     const auto [name, index] = name_and_index(key.substr(0, dot));
     key.remove_prefix(dot == std::string_view::npos ? key.size() : dot + 1);
     const google::protobuf::FieldDescriptor* field = type->FindFieldByName(name);
-    if (field == nullptr) break;
-    const Place place = tree->GetLocation(field, index);
+    if (field == nullptr || field->is_repeated() != (index >= 0)) break;
+    const Place place = place_in(*tree, *field, index);
     if (place.line < 0) break;
     best = place;
     type = field->message_type();
@@ -101,12 +104,9 @@ TextFile TextFile::read(const std::filesystem::path& path, google::protobuf::Mes
   parser.WriteLocationsTo(file.places_.get());
   parser.AllowPartialMessage(true);  // first_fault names the missing key and its place
   const bool parsed = parser.ParseFromString(text, &message);
-  if (errors.message()) {
-    const Place place = errors.place();
-    throw complaint(
-        path,
-        place,
-        syntax_fault(*message.GetDescriptor(), text, place.line, place.column, *errors.message()));
+  if (errors.first()) {
+    const SyntaxFault fault = syntax_fault(*message.GetDescriptor(), text, *errors.first());
+    throw complaint(path, {fault.line, fault.column}, fault);
   }
   if (!parsed) throw complaint(path, {0, 0}, {"", "something else", "protobuf text format"});
   if (const auto fault = first_fault(message)) {

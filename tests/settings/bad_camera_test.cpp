@@ -1,0 +1,82 @@
+// tests/settings/bad_camera_test.cpp: what is said about camera files that cannot be used.
+#include <gmock/gmock.h>
+
+#include "settings/load.hpp"
+#include "tests/settings/camera_text.hpp"
+#include "tests/settings/temporary_files.hpp"
+
+namespace teamsight::settings {
+namespace {
+
+class BadCamera : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(BadCamera, IsNamedWithPlaceKeyFoundAndExpected) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("eye.textproto", spoil(kRadialCamera, GetParam()));
+
+  const std::string complaint = complaint_of([&] { std::ignore = load_camera(path); });
+
+  EXPECT_EQ(complaint, expected_complaint(path, GetParam()));
+}
+
+// clang-format off
+INSTANTIATE_TEST_SUITE_P(Each, BadCamera, testing::Values(
+    Spoilt{"RadiusThatDoesNotGrow", "radius_px: 150", "radius_px: 100", "10:9",
+           "radial_table.row[1].radius_px", "100", "more than in the row before, 100"},
+    Spoilt{"DistanceThatDoesNotGrow", "distance_m: 4", "distance_m: 1.5", "11:24",
+           "radial_table.row[2].distance_m", "1.5", "more than in the row before, 2"},
+    Spoilt{"TooFewRows", "  row { radius_px: 180 distance_m: 4 }\n", "", "5:1",
+           "radial_table.row", "2 rows", "at least 3"},
+    Spoilt{"RepeatedBlockOutOfRange", "sigma_px: 1.5", "sigma_px: 0", "10:38",
+           "radial_table.row[1].sigma_px", "0", "a finite number from 0.01 to 50"},
+    Spoilt{"CentreLeftOfTheImage", "centre_u_px: 320", "centre_u_px: -1", "6:3",
+           "radial_table.centre_u_px", "-1", "a place in the image, from 0 to 639"},
+    Spoilt{"CentreBelowTheImage", "centre_v_px: 240", "centre_v_px: 480", "7:3",
+           "radial_table.centre_v_px", "480", "a place in the image, from 0 to 479"},
+    Spoilt{"TwoMirrors", "mounting", "profile { }\nmounting", "13:1", "profile",
+           "'profile' besides 'radial_table'", "only one of the two"},
+    Spoilt{"SampleTwice", "u: 90 v: 190", "u: 110 v: 100", "18:3",
+           "colours.sample[1]", "the same u and v as in sample[0]", "each (u, v) once"},
+    Spoilt{"SampleOutOfRange", "u: 90", "u: 256", "18:24", "colours.sample[1].u",
+           "256", "a whole number from 0 to 255"},
+    Spoilt{"NegativeCount", "width_px: 640", "width_px: -640", "2:11", "width_px",
+           "'-'", "a whole number from 16 to 8192"},
+    Spoilt{"HugeCount", "width_px: 640", "width_px: 4294967296", "2:11", "width_px",
+           "4294967296", "a whole number from 16 to 8192"},
+    Spoilt{"UnknownFormat", "UYVY", "RGB", "4:9", "format",
+           "'RGB'", "one of BGR, YUYV, UYVY, GREY"},
+    Spoilt{"BlackAboveWhite", "black_max_y: 50", "black_max_y: 150", "16:3", "colours.black_max_y",
+           "150", "less than white_min_y, 150"},
+    Spoilt{"RimInsideTheBody", "outer_radius_px: 220", "outer_radius_px: 40", "22:3",
+           "mask.outer_radius_px", "40", "more than inner_radius_px, 40"},
+    Spoilt{"SectorBackwards", "to_deg: 370", "to_deg: 10", "23:26", "mask.sector[0].to_deg",
+           "10", "more than from_deg, by less than a full turn"}),
+    name_of_spoilt);
+
+// clang-format on
+
+TEST(LoadCamera, RefusesACameraWithoutMirror) {
+  const TemporaryFolder folder;
+  const auto path = folder.write(
+      "eye.textproto",
+      "name: \"eye\" width_px: 640 height_px: 480 format: BGR\n"
+      "mounting { forward_deg: 0 mirrored: false } colours { white_min_y: 9 black_max_y: 1 }");
+
+  EXPECT_EQ(complaint_of([&] { std::ignore = load_camera(path); }),
+            path.string() +
+                ":1:1: key 'mirror': found no mirror, expected a block radial_table "
+                "or profile");
+}
+
+TEST(LoadCamera, NamesTheProfileThatIsNotThere) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("eye.textproto", kProfileCamera);
+
+  EXPECT_EQ(complaint_of([&] { std::ignore = load_camera(path); }),
+            path.string() + ":10:3: key 'profile.profile_csv': found no file " +
+                (folder.path() / "eye.csv").string() +
+                ", expected the path of a file, relative to this one");
+}
+
+}  // namespace
+}  // namespace teamsight::settings
