@@ -22,9 +22,9 @@ struct RingMark {
 
 /// A mirror known by the rings seen in it; rows by growing radius and distance.
 struct RadialTable {
-  double centre_u_px{0.0};     ///< column; 0 is the middle of the first pixel
-  double centre_v_px{0.0};     ///< row
-  double mirror_height{0.0};   ///< of the virtual viewpoint over the floor; m
+  double centre_u_px{0.0};    ///< column; 0 is the middle of the first pixel
+  double centre_v_px{0.0};    ///< row
+  double mirror_height{0.0};  ///< of the virtual viewpoint over the floor; m
   std::vector<RingMark> rows;
 
   friend bool operator==(const RadialTable&, const RadialTable&) = default;
@@ -105,8 +105,8 @@ struct Mask {
 
 struct ScanPattern {
   std::uint16_t rays{360};
-  double max_distance{8.0};    ///< m
-  double min_contrast{18.0};   ///< of a line against the floor, grey levels
+  double max_distance{8.0};   ///< m
+  double min_contrast{18.0};  ///< of a line against the floor, grey levels
 
   friend bool operator==(const ScanPattern&, const ScanPattern&) = default;
 };
@@ -118,8 +118,8 @@ struct CameraParameters {
   std::uint32_t height_px{0};
   PixelFormat format{PixelFormat::kBgr};
   std::variant<RadialTable, ProfileMirror> mirror;
-  double forward{0.0};    ///< image direction of R's x axis, counter-clockwise from image right; rad
-  bool mirrored{false};   ///< R's left lies clockwise from forward in the picture
+  double forward{0.0};   ///< image direction of R's x axis, counter-clockwise from image right; rad
+  bool mirrored{false};  ///< R's left lies clockwise from forward in the picture
   ColourParameters colours;
   Mask mask;
   ScanPattern scan;

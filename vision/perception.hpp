@@ -2,36 +2,99 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "geometry/field_model.hpp"
 #include "geometry/frames.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/result.hpp"
 #include "geometry/sighting.hpp"
+#include "vision/ball_detector.hpp"
+#include "vision/camera_model.hpp"
+#include "vision/camera_parameters.hpp"
+#include "vision/image.hpp"
+#include "vision/light.hpp"
+#include "vision/line_points.hpp"
+#include "vision/obstacle_detector.hpp"
+#include "vision/posture.hpp"
 
 namespace teamsight::vision {
 
-/// A place where the image shows the middle of a painted line.
-struct LinePoint {
-  double u_px{0.0};
-  double v_px{0.0};
-  Point<Robot> p_R;  ///< on the floor; m
-  Eigen::Matrix2d cov_R{Eigen::Matrix2d::Identity()};  ///< m^2
+/// Why a frame says nothing at all.
+enum class FrameReject : std::uint8_t {
+  kWrongSize,    ///< another width or height than the camera file's
+  kWrongFormat,  ///< another pixel format than the camera file's
+  kTruncated,    ///< fewer or more bytes than the format and size need
 };
 
-enum class Light : std::uint8_t { kUnknown, kGood, kDark, kGlare, kCovered };
+/// What was decided before the match and never changes from frame to frame.
+struct PerceptionParameters {
+  double ball_radius{0.11};   ///< m
+  double robot_radius{0.25};  ///< m
+};
 
 /// Everything one frame says.
 struct FrameObservation {
   PostureEstimate posture;
   std::vector<BallRay> balls;               ///< best first, at most kMaxBallRays
+  std::vector<BallPixels> ball_pixels;      ///< of the ball with the same index
   std::vector<ObstacleSighting> obstacles;  ///< nearest first, at most kMaxObstacleSightings
+  std::vector<Pixel> obstacle_pixels;       ///< foot of the obstacle with the same index
+  std::vector<FreeSpace> free_space;        ///< by image direction; nothing under the mask
   std::vector<LinePoint> line_points;
+  /// Signed distances of the line points from the paint under `posture`; m. Empty when lost.
+  std::vector<double> line_residuals;
+  double inlier_gate{0.0};        ///< a residual below this counted as an inlier; m; 0 when lost
+  bool searched_globally{false};  ///< the posture was found without, or against, the prior
   Light light{Light::kUnknown};
 };
 
-// The class `Perception` is designed by this folder; its public face:
-//   Perception(const CameraParameters&, const FieldModel&)           tables made once
-//   Result<const FrameObservation*, FrameReject> see(const ImageView&, const MotionPrior&)
-// with MotionPrior = where the robot may be before this frame (nothing: no prior), and the start side.
+/// One robot's eye: frames in, observations out.
+///
+/// All tables are made by the constructor (some 100 ms); `see` allocates nothing once its buffers
+/// have grown. The only state is buffers: what is known from earlier frames comes in as a
+/// MotionPrior, so the same frame and prior always give the same observation.
+/// Thread rule: one thread per object.
+class Perception {
+ public:
+  /// @pre the parameters were checked by `settings::load_camera` and `settings::load_field`
+  Perception(const CameraParameters& camera,
+             const FieldModel& field,
+             const PerceptionParameters& parameters = {});
+  ~Perception();
+  Perception(const Perception&) = delete;
+  Perception& operator=(const Perception&) = delete;
+  Perception(Perception&&) noexcept;
+  Perception& operator=(Perception&&) noexcept;
+
+  /// Looks at one frame.
+  ///
+  /// @param image  must have the camera's size and format
+  /// @param prior  where the robot may be at the exposure, before this frame
+  /// @return the observation, never null, valid until the next call; the reason if the frame
+  ///         cannot be a frame of this camera. Status kLost inside means: the frame was looked at
+  ///         and its lines support no posture.
+  [[nodiscard]] Result<const FrameObservation*, FrameReject> see(const ImageView& image,
+                                                                 const MotionPrior& prior);
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+/// The prior for the next frame when nothing is known of the motion in between but its limits.
+///
+/// @param posture    of the last frame
+/// @param elapsed_s  since then; s, not negative
+/// @param start_side passed on
+/// @return no pose when `posture` is lost; else its pose with the covariance grown by what a robot
+///         can do in that time (3 m/s, 3 rad/s, two sigma)
+[[nodiscard]] MotionPrior prior_after(const PostureEstimate& posture,
+                                      double elapsed_s,
+                                      StartSide start_side);
 
 }  // namespace teamsight::vision

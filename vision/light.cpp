@@ -1,0 +1,37 @@
+// vision/light.cpp: mean, spread and saturation of the floor's luminance.
+#include "vision/light.hpp"
+
+#include <cmath>
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr double kDarkMean = 16.0;    // grey levels; black level of a video signal
+constexpr float kSaturated = 230.0F;  // grey levels; the end of studio range, less noise
+constexpr double kGlareShare = 0.3;   // of the floor
+constexpr double kEvenSpread = 3.0;   // grey levels, one sigma: less than any carpet with lines
+
+}  // namespace
+
+void LightMeter::add(std::span<const float> profile) {
+  for (const float y : profile) {
+    const auto value = static_cast<double>(y);
+    sum_ += value;
+    sum_square_ += value * value;
+    if (y >= kSaturated) ++saturated_;
+  }
+  count_ += profile.size();
+}
+
+Light LightMeter::light() const {
+  if (count_ == 0) return Light::kUnknown;
+  const auto count = static_cast<double>(count_);
+  const double mean = sum_ / count;
+  const double var = sum_square_ / count - mean * mean;
+  if (mean < kDarkMean) return Light::kDark;
+  if (static_cast<double>(saturated_) > kGlareShare * count) return Light::kGlare;
+  return var < kEvenSpread * kEvenSpread ? Light::kCovered : Light::kGood;
+}
+
+}  // namespace teamsight::vision

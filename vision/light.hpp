@@ -1,0 +1,34 @@
+// vision/light.hpp: whether a frame can be judged at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace teamsight::vision {
+
+/// What the light in a frame allows.
+enum class Light : std::uint8_t {
+  kUnknown,
+  kGood,
+  kDark,     ///< too dark to tell the carpet from anything
+  kGlare,    ///< a good part of the floor is saturated
+  kCovered,  ///< something even fills the picture: a cap, fog, a dead sensor
+};
+
+/// Sums up the luminance along the radial scan lines.
+class LightMeter {
+ public:
+  void add(std::span<const float> profile);
+
+  /// kUnknown if nothing was added.
+  [[nodiscard]] Light light() const;
+
+ private:
+  double sum_{0.0};
+  double sum_square_{0.0};
+  std::size_t saturated_{0};
+  std::size_t count_{0};
+};
+
+}  // namespace teamsight::vision

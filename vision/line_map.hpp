@@ -1,0 +1,48 @@
+// vision/line_map.hpp: which paint is nearest, looked up instead of searched.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/field_model.hpp"
+#include "geometry/frames.hpp"
+
+namespace teamsight::vision {
+
+/// A field with a grid over its carpet that knows the nearest line or arc of each cell.
+///
+/// The grid only names the primitive; residuals are exact distances to that primitive, so nothing
+/// is rounded to cells.
+class LineMap {
+ public:
+  /// Makes the grid: some milliseconds.
+  ///
+  /// @pre the field has at least one line or arc
+  explicit LineMap(const FieldModel& field);
+
+  /// Exact signed distance to the primitive that is nearest to the cell of `p_F`.
+  [[nodiscard]] NearestLine nearest(const Eigen::Vector2d& p_F) const;
+
+  /// Unsigned distance at the centre of the cell of `p_F`; outside of the grid that of the
+  /// nearest cell, so too small there. For rating many candidates, not for residuals.
+  [[nodiscard]] float rough_distance(const Eigen::Vector2d& p_F) const {
+    return distance_[cell_of(p_F)];
+  }
+
+  [[nodiscard]] const FieldModel& field() const { return field_; }
+
+ private:
+  [[nodiscard]] std::size_t cell_of(const Eigen::Vector2d& p_F) const;
+
+  FieldModel field_;
+  Eigen::Vector2d corner_F_;  // of the first cell
+  int columns_{0};
+  int rows_{0};
+  std::vector<std::uint16_t> primitive_;
+  std::vector<float> distance_;
+};
+
+}  // namespace teamsight::vision

@@ -1,0 +1,195 @@
+// vision/line_points.cpp: bright bumps of the right width with carpet on both sides.
+#include "vision/line_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr float kBlur = 1.8F;        // px: what optics and interpolation add to a narrow line
+constexpr float kSteepness = 0.3F;   // of the contrast, that an edge must rise in two samples
+constexpr int kBase = 4;             // samples in which the floor beside an edge is looked for
+constexpr double kWidest = 1.6;      // of the paint's width: crossed at 50 degrees
+constexpr double kNarrowest = 0.45;  // of the paint's width
+constexpr double kCalibrationSigma = 0.25;  // px; what the camera model may be wrong by
+constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
+
+using Profile = std::span<const float>;
+using Line = std::span<const ScanSample>;
+
+/// A bright bump; places are in samples from the line's start.
+struct Bump {
+  float rise{0.0F};  // edge at half height
+  float fall{0.0F};
+  float contrast{0.0F};
+  std::size_t end{0};  // first sample after the falling edge
+};
+
+// Floor point between two samples; `place` within the line.
+Eigen::Vector2d floor_at(Line line, float place) {
+  const auto last = static_cast<float>(line.size() - 1);
+  const float clamped = std::clamp(place, 0.0F, last);
+  const auto i = std::min(static_cast<std::size_t>(clamped), line.size() - 2);
+  const float t = clamped - static_cast<float>(i);
+  return {static_cast<double>(line[i].x + t * (line[i + 1].x - line[i].x)),
+          static_cast<double>(line[i].y + t * (line[i + 1].y - line[i].y))};
+}
+
+float lowest(Profile profile, std::size_t first, std::size_t last) {
+  return *std::min_element(profile.begin() + static_cast<std::ptrdiff_t>(first),
+                           profile.begin() + static_cast<std::ptrdiff_t>(last + 1));
+}
+
+// Where the profile crosses `level` between sample i and i + 1.
+float crossing(Profile profile, std::size_t i, float level) {
+  const float step = profile[i + 1] - profile[i];
+  const float t = std::abs(step) > 1e-3F ? (level - profile[i]) / step : 0.5F;
+  return static_cast<float>(i) + std::clamp(t, 0.0F, 1.0F);
+}
+
+// The bump whose rising edge is steepest at sample `i`; nothing if it does not come down again
+// within `widest` metres of floor.
+std::optional<Bump> bump_at(Profile profile, Line line, std::size_t i, double widest) {
+  const std::size_t n = profile.size();
+  const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
+  float peak = profile[i];
+  std::size_t top = i;
+  std::size_t j = i + 1;
+  const Eigen::Vector2d start = floor_at(line, static_cast<float>(i));
+  for (; j < n && profile[j] > 0.5F * (left + peak); ++j) {
+    if (profile[j] > peak) {
+      peak = profile[j];
+      top = j;
+    }
+    const double length = (floor_at(line, static_cast<float>(j)) - start).norm();
+    if (length > widest && j - i > 4) return std::nullopt;
+  }
+  if (j >= n || top == i) return std::nullopt;
+  const float right = lowest(profile, j, std::min(j + kBase, n - 1));
+  Bump bump;
+  bump.contrast = peak - std::max(left, right);
+  const float level_left = 0.5F * (left + peak);
+  const float level_right = 0.5F * (right + peak);
+  std::size_t rise = top;
+  while (rise > 0 && profile[rise - 1] > level_left) --rise;
+  std::size_t fall = top;
+  while (fall + 1 < n && profile[fall + 1] > level_right) ++fall;
+  if (rise == 0 || fall + 1 >= n) return std::nullopt;
+  bump.rise = crossing(profile, rise - 1, level_left);
+  bump.fall = crossing(profile, fall, level_right);
+  bump.end = fall + 1;
+  return bump;
+}
+
+// Whether three samples from `first` in steps of `step` show carpet on average: chroma is noisy.
+bool is_carpet(const PixelReader& pixels,
+               const ColourClasses& colours,
+               Line line,
+               std::ptrdiff_t first,
+               std::ptrdiff_t step) {
+  int u = 0;
+  int v = 0;
+  int y = 0;
+  int count = 0;
+  for (std::ptrdiff_t k = 0; k < 3; ++k) {
+    const std::ptrdiff_t i = first + k * step;
+    if (i < 0 || i >= static_cast<std::ptrdiff_t>(line.size())) continue;
+    const std::size_t pixel = line[static_cast<std::size_t>(i)].nearest;
+    const Chroma chroma = pixels.chroma(pixel);
+    u += chroma.u;
+    v += chroma.v;
+    y += pixels.luminance(pixel);
+    ++count;
+  }
+  if (count < 2) return false;
+  const Chroma mean{static_cast<std::uint8_t>(u / count), static_cast<std::uint8_t>(v / count)};
+  return colours.of(mean) == ColourClass::kGreen && y / count < colours.white_min_y();
+}
+
+bool has_carpet_beside(const PixelReader& pixels,
+                       const ColourClasses& colours,
+                       Line line,
+                       const Bump& bump) {
+  // One and a half pixels away from the edge the chroma of two shared pixels is the floor's.
+  const auto before = static_cast<std::ptrdiff_t>(std::floor(bump.rise - 1.5F));
+  const auto after = static_cast<std::ptrdiff_t>(std::ceil(bump.fall + 1.5F));
+  return is_carpet(pixels, colours, line, before, -1) && is_carpet(pixels, colours, line, after, 1);
+}
+
+// The covariance on the floor of a place known to `sigma` pixels.
+Eigen::Matrix2d spread(const ScanSample& sample, const Eigen::Vector2d& p_R, double sigma) {
+  const Eigen::Vector2d away = p_R / std::max(p_R.norm(), 1e-6);
+  const Eigen::Vector2d across{-away.y(), away.x()};
+  const double radial = sigma * static_cast<double>(sample.radial_footprint);
+  const double tangential = sigma * static_cast<double>(sample.tangential_footprint);
+  return radial * radial * away * away.transpose() +
+         tangential * tangential * across * across.transpose();
+}
+
+std::optional<LinePoint> point_of(Line line, const Bump& bump, const LineRules& rules) {
+  const float middle = 0.5F * (bump.rise + bump.fall);
+  const float seen = bump.fall - bump.rise;
+  const float half = 0.5F * std::sqrt(std::max(0.0F, seen * seen - kBlur * kBlur));
+  const Eigen::Vector2d inner = floor_at(line, middle - half);
+  const Eigen::Vector2d outer = floor_at(line, middle + half);
+  const double width = (outer - inner).norm();
+  const double pixel = (floor_at(line, middle + 0.5F) - floor_at(line, middle - 0.5F)).norm();
+  if (width > kWidest * rules.line_width + pixel) return std::nullopt;
+  if (width < kNarrowest * rules.line_width - pixel) return std::nullopt;
+  const auto i = std::min(static_cast<std::size_t>(middle), line.size() - 2);
+  const float t = middle - static_cast<float>(i);
+  LinePoint point;
+  point.u_px = static_cast<double>(line[i].u + t * (line[i + 1].u - line[i].u));
+  point.v_px = static_cast<double>(line[i].v + t * (line[i + 1].v - line[i].v));
+  // The middle of the paint on the floor, not in the picture, which is squeezed outwards.
+  point.p_R = Point<Robot>::from(0.5 * (inner + outer));
+  // Two edges of a blurred step in noise: sigma_I / C * sqrt(2 sqrt(pi) blur) / sqrt(2).
+  const double noise = 1.3 * kGreySigma / static_cast<double>(bump.contrast);
+  point.cov_R = spread(line[i], point.p_R.vector(), std::hypot(noise, kCalibrationSigma));
+  return point;
+}
+
+}  // namespace
+
+void read_profile(const PixelReader& pixels,
+                  std::span<const ScanSample> line,
+                  std::vector<float>& profile) {
+  profile.clear();
+  for (const ScanSample& sample : line) {
+    const auto y = [&](std::size_t pixel) {
+      return static_cast<float>(pixels.luminance(pixel));
+    };
+    const float above = y(sample.corner) + sample.right * (y(sample.corner + 1) - y(sample.corner));
+    const std::size_t under = sample.corner + pixels.width();
+    const float below = y(under) + sample.right * (y(under + 1) - y(under));
+    profile.push_back(above + sample.below * (below - above));
+  }
+}
+
+void find_line_points(const PixelReader& pixels,
+                      const ColourClasses& colours,
+                      std::span<const ScanSample> line,
+                      std::span<const float> profile,
+                      const LineRules& rules,
+                      std::vector<LinePoint>& points) {
+  const auto contrast = static_cast<float>(rules.min_contrast);
+  const double widest = 2.0 * kWidest * rules.line_width;
+  for (std::size_t i = 1; i + 2 < profile.size() && points.size() < kMaxLinePoints; ++i) {
+    const float slope = profile[i + 1] - profile[i - 1];
+    const bool is_steepest = slope >= kSteepness * contrast &&
+                             slope >= profile[i] - profile[i - 1] &&
+                             slope >= profile[i + 2] - profile[i];
+    if (!is_steepest) continue;
+    const auto bump = bump_at(profile, line, i, widest);
+    if (!bump || bump->contrast < contrast) continue;
+    if (has_carpet_beside(pixels, colours, line, *bump)) {
+      if (const auto point = point_of(line, *bump, rules)) points.push_back(*point);
+    }
+    i = std::max(i, bump->end);
+  }
+}
+
+}  // namespace teamsight::vision

@@ -1,0 +1,162 @@
+// vision/perception.cpp: the steps of one frame, in order.
+#include "vision/perception.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/expect.hpp"
+#include "vision/colour_classes.hpp"
+#include "vision/light.hpp"
+#include "vision/pixel_reader.hpp"
+#include "vision/ray_table.hpp"
+#include "vision/scan_lines.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr double kOffCarpetMargin = 0.3;  // m; nearer to the carpet's edge things are walls
+
+std::optional<FrameReject> reject_of(const ImageView& image, const CameraParameters& camera) {
+  if (image.format != camera.format) return FrameReject::kWrongFormat;
+  if (image.width_px != camera.width_px || image.height_px != camera.height_px) {
+    return FrameReject::kWrongSize;
+  }
+  return is_whole(image) ? std::nullopt : std::optional(FrameReject::kTruncated);
+}
+
+// Whether an obstacle of this frame stands well inside the carpet; unknown counts as yes.
+bool is_on_field(const ObstacleCandidate& obstacle,
+                 const PostureEstimate& posture,
+                 const FieldModel& field) {
+  if (posture.status == PostureStatus::kLost) return true;
+  const Point<Field> p_FO = posture.X_FR * obstacle.sighting.p_RO;
+  const Eigen::Vector2d offset = (p_FO.vector() - field.centre.vector()).cwiseAbs();
+  const double beyond = field.surround - kOffCarpetMargin;
+  return offset.x() < 0.5 * field.length + beyond && offset.y() < 0.5 * field.width + beyond;
+}
+
+}  // namespace
+
+struct Perception::Tables {
+  Tables(const CameraParameters& parameters,
+         const FieldModel& field,
+         const PerceptionParameters& perception)
+      : camera(parameters),
+        model(parameters),
+        rays(model, parameters.width_px, parameters.height_px),
+        colours(parameters.colours),
+        lines(parameters, model, rays),
+        rules{field.line_width, parameters.scan.min_contrast},
+        balls(rays, parameters.mask, model.centre(), perception.ball_radius),
+        obstacles({field.line_width, perception.robot_radius}),
+        posture(field) {
+    profile.reserve(lines.longest());
+    observation.line_points.reserve(kMaxLinePoints);
+    observation.line_residuals.reserve(kMaxLinePoints);
+  }
+
+  void find_lines(const PixelReader& pixels);
+  void locate(const MotionPrior& prior);
+  void find_balls(const PixelReader& pixels);
+  void find_obstacles(const PixelReader& pixels);
+
+  CameraParameters camera;
+  CameraModel model;
+  RayTable rays;
+  ColourClasses colours;
+  ScanLines lines;
+  LineRules rules;
+  BallDetector balls;
+  ObstacleDetector obstacles;
+  PostureEstimator posture;
+  std::vector<float> profile;
+  FrameObservation observation;
+};
+
+void Perception::Tables::find_lines(const PixelReader& pixels) {
+  auto& points = observation.line_points;
+  points.clear();
+  LightMeter meter;
+  for (const ScanRange& range : lines.radial()) {
+    const auto line = lines.samples(range);
+    read_profile(pixels, line, profile);
+    meter.add(profile);
+    find_line_points(pixels, colours, line, profile, rules, points);
+  }
+  for (const ScanRange& range : lines.circular()) {
+    const auto line = lines.samples(range);
+    read_profile(pixels, line, profile);
+    find_line_points(pixels, colours, line, profile, rules, points);
+  }
+  observation.light = meter.light();
+}
+
+void Perception::Tables::locate(const MotionPrior& prior) {
+  const PostureResult result = posture.estimate(observation.line_points, prior);
+  observation.posture = result.estimate;
+  observation.inlier_gate = result.inlier_gate;
+  observation.searched_globally = result.searched_globally;
+  observation.line_residuals.clear();
+  if (result.estimate.status == PostureStatus::kLost) return;
+  for (const LinePoint& point : observation.line_points) {
+    observation.line_residuals.push_back(
+        line_residual(posture.map(), result.estimate.X_FR, point).distance);
+  }
+}
+
+void Perception::Tables::find_balls(const PixelReader& pixels) {
+  observation.balls.clear();
+  observation.ball_pixels.clear();
+  for (const BallCandidate& ball : balls.find(pixels, colours, lines, rays)) {
+    observation.balls.push_back(ball.ray);
+    observation.ball_pixels.push_back(ball.pixels);
+  }
+}
+
+void Perception::Tables::find_obstacles(const PixelReader& pixels) {
+  observation.obstacles.clear();
+  observation.obstacle_pixels.clear();
+  for (const ObstacleCandidate& obstacle : obstacles.find(pixels, colours, lines, model)) {
+    if (!is_on_field(obstacle, observation.posture, posture.map().field())) continue;
+    observation.obstacles.push_back(obstacle.sighting);
+    observation.obstacle_pixels.push_back({obstacle.u_px, obstacle.v_px});
+  }
+  const auto free = obstacles.free_space();
+  observation.free_space.assign(free.begin(), free.end());
+}
+
+Perception::Perception(const CameraParameters& camera,
+                       const FieldModel& field,
+                       const PerceptionParameters& parameters)
+    : tables_(std::make_unique<Tables>(camera, field, parameters)) {}
+
+Perception::~Perception() = default;
+Perception::Perception(Perception&&) noexcept = default;
+Perception& Perception::operator=(Perception&&) noexcept = default;
+
+Result<const FrameObservation*, FrameReject> Perception::see(const ImageView& image,
+                                                             const MotionPrior& prior) {
+  if (const auto reject = reject_of(image, tables_->camera)) return failure(*reject);
+  const PixelReader pixels(image);
+  tables_->find_lines(pixels);
+  tables_->locate(prior);
+  tables_->find_balls(pixels);
+  tables_->find_obstacles(pixels);
+  return &tables_->observation;
+}
+
+MotionPrior prior_after(const PostureEstimate& posture, double elapsed_s, StartSide start_side) {
+  TEAMSIGHT_EXPECT(elapsed_s >= 0.0);
+  MotionPrior prior;
+  prior.start_side = start_side;
+  if (posture.status == PostureStatus::kLost) return prior;
+  prior.X_FR = posture.X_FR;
+  prior.half_log_odds = posture.half_log_odds;
+  // 3 m/s and 3 rad/s at two sigma, and a little for a robot that only just moved off.
+  const double sigma = 0.05 + 1.5 * elapsed_s;
+  prior.cov = posture.cov + sigma * sigma * Eigen::Matrix3d::Identity();
+  return prior;
+}
+
+}  // namespace teamsight::vision

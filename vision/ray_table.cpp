@@ -1,0 +1,79 @@
+// vision/ray_table.cpp: one ray per pixel, footprints from the neighbours.
+#include "vision/ray_table.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace teamsight::vision {
+
+namespace {
+
+PixelRay look_along(const CameraModel& model, double u, double v) {
+  PixelRay entry;
+  entry.floor_x = std::numeric_limits<float>::quiet_NaN();
+  entry.floor_y = entry.floor_x;
+  const auto ray = model.ray({u, v});
+  if (!ray) return entry;
+  entry.origin_x = static_cast<float>(ray->origin.x);
+  entry.origin_y = static_cast<float>(ray->origin.y);
+  entry.origin_z = static_cast<float>(ray->origin.z);
+  entry.direction_x = static_cast<float>(ray->direction.x());
+  entry.direction_y = static_cast<float>(ray->direction.y());
+  entry.direction_z = static_cast<float>(ray->direction.z());
+  if (const auto floor = meet_plane(*ray, 0.0)) {
+    entry.floor_x = static_cast<float>(floor->x);
+    entry.floor_y = static_cast<float>(floor->y);
+  }
+  return entry;
+}
+
+// How the floor moves when a pixel is left, along and across the line of sight. `away` and `back`
+// are neighbours in a row or column; either may be missing at the rim.
+Eigen::Vector2f floor_step(const PixelRay& here, const PixelRay& away, const PixelRay& back) {
+  const Eigen::Vector2f p{here.floor_x, here.floor_y};
+  const Eigen::Vector2f a{away.floor_x, away.floor_y};
+  const Eigen::Vector2f b{back.floor_x, back.floor_y};
+  if (away.sees_floor() && back.sees_floor()) return 0.5F * (a - b);
+  if (away.sees_floor()) return a - p;
+  if (back.sees_floor()) return p - b;
+  return Eigen::Vector2f::Zero();
+}
+
+void set_footprint(PixelRay& here, const Eigen::Vector2f& step_u, const Eigen::Vector2f& step_v) {
+  Eigen::Vector2f outwards{here.floor_x, here.floor_y};
+  if (outwards.norm() < 1e-6F) outwards = Eigen::Vector2f::UnitX();
+  outwards.normalize();
+  const Eigen::Vector2f across{-outwards.y(), outwards.x()};
+  // Root of the sum of squares: the length of the gradient, whatever the direction in the picture.
+  here.radial_footprint = std::hypot(outwards.dot(step_u), outwards.dot(step_v));
+  here.tangential_footprint = std::hypot(across.dot(step_u), across.dot(step_v));
+}
+
+}  // namespace
+
+RayTable::RayTable(const CameraModel& model, std::uint32_t width_px, std::uint32_t height_px)
+    : width_(width_px),
+      height_(height_px) {
+  rays_.reserve(std::size_t{width_px} * height_px);
+  for (std::uint32_t v = 0; v < height_; ++v) {
+    for (std::uint32_t u = 0; u < width_; ++u) rays_.push_back(look_along(model, u, v));
+  }
+  static constexpr PixelRay kNothing{.floor_x = std::numeric_limits<float>::quiet_NaN(),
+                                     .floor_y = std::numeric_limits<float>::quiet_NaN()};
+  for (std::uint32_t v = 0; v < height_; ++v) {
+    for (std::uint32_t u = 0; u < width_; ++u) {
+      PixelRay& here = rays_[std::size_t{v} * width_ + u];
+      if (!here.sees_floor()) continue;
+      set_footprint(
+          here,
+          floor_step(
+              here, u + 1 < width_ ? at(u + 1, v) : kNothing, u > 0 ? at(u - 1, v) : kNothing),
+          floor_step(
+              here, v + 1 < height_ ? at(u, v + 1) : kNothing, v > 0 ? at(u, v - 1) : kNothing));
+    }
+  }
+}
+
+}  // namespace teamsight::vision

@@ -1,0 +1,129 @@
+// vision/scan_lines.cpp: laying out radial lines and circles.
+#include "vision/scan_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "geometry/angle.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kCircleSpacing = 6.0;       // px between circles
+constexpr double kFirstCircle = 8.0;         // px; nearer to the centre there is only own body
+constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
+constexpr std::size_t kShortest = 8;         // samples; no line fits into less
+
+/// Makes samples of one camera.
+class Sampler {
+ public:
+  Sampler(const CameraParameters& parameters, const CameraModel& model, const RayTable& rays)
+      : parameters_(parameters),
+        model_(model),
+        rays_(rays) {}
+
+  /// Nothing outside the image, under the mask, or where no floor within reach is seen.
+  [[nodiscard]] std::optional<ScanSample> at(double radius, double direction) const {
+    const Mask& mask = parameters_.mask;
+    if (radius < mask.inner_radius_px || radius > mask.outer_radius_px) return std::nullopt;
+    if (is_masked(mask, direction)) return std::nullopt;
+    const Pixel pixel{model_.centre().u + radius * std::cos(direction),
+                      model_.centre().v - radius * std::sin(direction)};
+    if (pixel.u < 0.0 || pixel.v < 0.0 || pixel.u >= rays_.width() - 1.0 ||
+        pixel.v >= rays_.height() - 1.0) {
+      return std::nullopt;
+    }
+    const auto floor = model_.on_plane(pixel, 0.0);
+    if (!floor || std::hypot(floor->x, floor->y) > parameters_.scan.max_distance) {
+      return std::nullopt;
+    }
+    return sample_at(pixel, *floor);
+  }
+
+ private:
+  [[nodiscard]] ScanSample sample_at(const Pixel& pixel, const Point<Robot>& floor) const {
+    const double column = std::floor(pixel.u);
+    const double row = std::floor(pixel.v);
+    const auto index = [&](double u, double v) {
+      return static_cast<std::uint32_t>(v) * rays_.width() + static_cast<std::uint32_t>(u);
+    };
+    ScanSample sample;
+    sample.corner = index(column, row);
+    sample.nearest = index(std::round(pixel.u), std::round(pixel.v));
+    sample.right = static_cast<float>(pixel.u - column);
+    sample.below = static_cast<float>(pixel.v - row);
+    sample.u = static_cast<float>(pixel.u);
+    sample.v = static_cast<float>(pixel.v);
+    sample.x = static_cast<float>(floor.x);
+    sample.y = static_cast<float>(floor.y);
+    const PixelRay& ray = rays_[sample.nearest];
+    sample.radial_footprint = std::max(ray.radial_footprint, kSmallestFootprint);
+    sample.tangential_footprint = std::max(ray.tangential_footprint, kSmallestFootprint);
+    return sample;
+  }
+
+  const CameraParameters& parameters_;
+  const CameraModel& model_;
+  const RayTable& rays_;
+};
+
+}  // namespace
+
+bool is_masked(const Mask& mask, double image_direction) {
+  return std::ranges::any_of(mask.sectors, [&](const MaskedSector& sector) {
+    const auto from_start = [&](double angle) {
+      const double way = std::fmod(angle - sector.from, kTurn);
+      return way < 0.0 ? way + kTurn : way;
+    };
+    return from_start(image_direction) <= from_start(sector.to);
+  });
+}
+
+ScanLines::ScanLines(const CameraParameters& parameters,
+                     const CameraModel& model,
+                     const RayTable& rays) {
+  const Sampler sampler(parameters, model, rays);
+  const double reach = std::hypot(rays.width(), rays.height());
+  const auto close = [&](std::vector<ScanRange>& ranges, ScanRange range) {
+    range.count = samples_.size() - range.first;
+    if (range.count < kShortest) {
+      samples_.resize(range.first);
+      return;
+    }
+    longest_ = std::max(longest_, range.count);
+    ranges.push_back(range);
+  };
+
+  for (std::uint16_t i = 0; i < parameters.scan.rays; ++i) {
+    const double direction = kTurn * i / parameters.scan.rays;
+    ScanRange range{samples_.size(), 0, direction};
+    for (double radius = 1.0; radius < reach; radius += 1.0) {
+      if (const auto sample = sampler.at(radius, direction)) {
+        samples_.push_back(*sample);
+      } else if (samples_.size() > range.first) {
+        break;
+      }
+    }
+    close(radial_, range);
+  }
+
+  for (double radius = kFirstCircle; radius < reach; radius += kCircleSpacing) {
+    const auto steps = static_cast<int>(std::ceil(kTurn * radius));
+    ScanRange range{samples_.size(), 0, 0.0};
+    for (int step = 0; step < steps; ++step) {
+      if (const auto sample = sampler.at(radius, kTurn * step / steps)) {
+        samples_.push_back(*sample);
+        continue;
+      }
+      close(circular_, range);
+      range.first = samples_.size();
+    }
+    close(circular_, range);
+  }
+}
+
+}  // namespace teamsight::vision

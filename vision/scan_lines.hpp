@@ -1,0 +1,66 @@
+// vision/scan_lines.hpp: the paths along which a frame is looked at, worked out once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vision/camera_model.hpp"
+#include "vision/camera_parameters.hpp"
+#include "vision/ray_table.hpp"
+
+namespace teamsight::vision {
+
+/// One step of a scan line, about one pixel from the last.
+struct ScanSample {
+  std::uint32_t corner{0};   ///< index of the pixel left above; all four around it are in the image
+  std::uint32_t nearest{0};  ///< index of the nearest pixel
+  float right{0.0F};         ///< how far between `corner` and its right neighbour, in [0, 1)
+  float below{0.0F};         ///< the same downwards
+  float u{0.0F};             ///< px
+  float v{0.0F};             ///< px
+  float x{0.0F};             ///< of the floor there, in R; m
+  float y{0.0F};
+  float radial_footprint{0.0F};      ///< metres of floor per pixel, away from the robot
+  float tangential_footprint{0.0F};  ///< metres of floor per pixel, around the robot
+};
+
+/// A part of the sample list.
+struct ScanRange {
+  std::size_t first{0};
+  std::size_t count{0};
+  double image_direction{0.0};  ///< of a radial line, counter-clockwise from image right; rad
+};
+
+/// Radial lines, which find paint that runs around the robot, and circles, which find paint that
+/// runs away from it. Only where the camera sees floor no farther than the pattern's reach and the
+/// mask lets it.
+class ScanLines {
+ public:
+  ScanLines(const CameraParameters& parameters, const CameraModel& model, const RayTable& rays);
+
+  /// From the centre outwards, by growing image direction.
+  [[nodiscard]] std::span<const ScanRange> radial() const { return radial_; }
+
+  /// Arcs between masked sectors, from the inner circle outwards, each counter-clockwise.
+  [[nodiscard]] std::span<const ScanRange> circular() const { return circular_; }
+
+  [[nodiscard]] std::span<const ScanSample> samples(const ScanRange& range) const {
+    return std::span(samples_).subspan(range.first, range.count);
+  }
+
+  /// Samples of the longest line.
+  [[nodiscard]] std::size_t longest() const { return longest_; }
+
+ private:
+  std::vector<ScanSample> samples_;
+  std::vector<ScanRange> radial_;
+  std::vector<ScanRange> circular_;
+  std::size_t longest_{0};
+};
+
+/// Whether the mask hides this image direction.
+[[nodiscard]] bool is_masked(const Mask& mask, double image_direction);
+
+}  // namespace teamsight::vision
