@@ -1,0 +1,194 @@
+// fusion/fusion.cpp: see fusion/fusion.hpp.
+#include "fusion/fusion.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace teamsight::fusion {
+namespace {
+
+// 16 robots at 20 Hz for half a second, with room to spare; a babbler cannot make it grow.
+constexpr std::size_t kMaxHeld = 192;
+
+auto sort_key(const Observation& observation) {
+  return std::tie(observation.exposure, observation.id);
+}
+
+std::size_t index_of(RobotId robot) {
+  return static_cast<std::size_t>(robot) - 1U;
+}
+
+std::vector<NamedPlace> places_of(const std::vector<WorldBall>& balls) {
+  std::vector<NamedPlace> places;
+  places.reserve(balls.size());
+  for (const WorldBall& ball : balls) {
+    places.push_back({ball.track,
+                      ball.p_FB.on_floor().vector(),
+                      {ball.v_FB.x, ball.v_FB.y},
+                      ball.cov_p.topLeftCorner<2, 2>()});
+  }
+  return places;
+}
+
+std::vector<NamedPlace> places_of(const std::vector<WorldObstacle>& obstacles) {
+  std::vector<NamedPlace> places;
+  places.reserve(obstacles.size());
+  for (const WorldObstacle& obstacle : obstacles) {
+    places.push_back(
+        {obstacle.track, obstacle.p_FO.vector(), obstacle.v_FO.vector(), obstacle.cov_p});
+  }
+  return places;
+}
+
+TrackReport report_of(const Track& track, HostTime now, Duration window) {
+  TrackReport report;
+  report.supporters = robots_within(track.supported, now, window);
+  report.rejected =
+      static_cast<RobotMask>(robots_within(track.rejected, now, window) & ~report.supporters);
+  report.born_ago = std::max(Duration{0}, now - track.born);
+  if (track.hits > 1) report.nis = track.nis_sum / (2.0 * (track.hits - 1.0));
+  return report;
+}
+
+}  // namespace
+
+Fusion::Fusion(const Parameters& parameters, const FieldModel& field)
+    : setting_{parameters, field} {
+  slots_.reserve(kMaxHeld);
+  order_.reserve(kMaxHeld);
+  spare_.reserve(kMaxHeld);
+}
+
+Intake Fusion::insert(const Observation& observation, HostTime now) {
+  TEAMSIGHT_EXPECT(robot_bit(observation.id.robot) != 0);
+  while (!order_.empty() &&
+         slots_[order_.front()].observation.exposure < now - setting_.parameters.lag) {
+    fold_front();
+  }
+  const Intake intake = judge(observation, now);
+  count(observation.id.robot, intake);
+  if (intake != Intake::kAccepted) return intake;
+  if (order_.size() == kMaxHeld) fold_front();
+  const std::size_t place = place_of(observation);
+  put(place, observation);
+  take_in_from(place);
+  names_.keep_only(head().balls, head().obstacles);
+  return intake;
+}
+
+Intake Fusion::judge(const Observation& observation, HostTime now) const {
+  if (observation.exposure > now + setting_.parameters.max_future) return Intake::kFromTheFuture;
+  const ObservationId& id = observation.id;
+  for (const std::size_t slot : order_) {
+    if (slots_[slot].observation.id == id) return Intake::kDuplicate;
+  }
+  const Folded& folded = folded_[index_of(id.robot)];
+  if (folded.boot == id.boot && id.sequence <= folded.sequence) return Intake::kTooOld;
+  if (observation.exposure < now - setting_.parameters.lag) return Intake::kTooOld;
+  const bool is_before_checkpoint = sort_key(observation) <= std::tie(folded_exposure_, folded_id_);
+  const bool is_pushed_out = order_.size() == kMaxHeld &&
+                             sort_key(observation) < sort_key(slots_[order_.front()].observation);
+  return is_before_checkpoint || is_pushed_out ? Intake::kTooOld : Intake::kAccepted;
+}
+
+void Fusion::count(RobotId robot, Intake intake) {
+  if (intake == Intake::kDuplicate) ++duplicate_[index_of(robot)];
+  if (intake == Intake::kTooOld || intake == Intake::kFromTheFuture) ++late_[index_of(robot)];
+}
+
+void Fusion::fold_front() {
+  const std::size_t slot = order_.front();
+  const Observation& observation = slots_[slot].observation;
+  checkpoint_ = slots_[slot].after;
+  folded_exposure_ = observation.exposure;
+  folded_id_ = observation.id;
+  folded_[index_of(observation.id.robot)] = {observation.id.boot, observation.id.sequence};
+  order_.erase(order_.begin());
+  spare_.push_back(slot);
+}
+
+std::size_t Fusion::place_of(const Observation& observation) const {
+  const auto place = std::lower_bound(
+      order_.begin(), order_.end(), observation, [this](std::size_t slot, const Observation& o) {
+        return sort_key(slots_[slot].observation) < sort_key(o);
+      });
+  return static_cast<std::size_t>(place - order_.begin());
+}
+
+void Fusion::put(std::size_t place, const Observation& observation) {
+  std::size_t slot = slots_.size();
+  if (spare_.empty()) {
+    slots_.emplace_back();
+  } else {
+    slot = spare_.back();
+    spare_.pop_back();
+  }
+  slots_[slot].observation = observation;
+  order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(place), slot);
+}
+
+void Fusion::take_in_from(std::size_t place) {
+  for (std::size_t i = place; i < order_.size(); ++i) {
+    Slot& slot = slots_[order_[i]];
+    slot.after = i == 0 ? checkpoint_ : slots_[order_[i - 1]].after;
+    advance(slot.after, slot.observation, setting_);
+  }
+}
+
+const State& Fusion::head() const {
+  return order_.empty() ? checkpoint_ : slots_[order_.back()].after;
+}
+
+WorldModel Fusion::world_at(HostTime now) const {
+  WorldModel world = world_of(head(), now, setting_.parameters);
+  for (WorldBall& ball : world.balls) ball.track = names_.name_of(ball.track);
+  for (WorldObstacle& obstacle : world.obstacles) obstacle.track = names_.name_of(obstacle.track);
+  std::sort(world.obstacles.begin(), world.obstacles.end(), [](const auto& a, const auto& b) {
+    return a.track < b.track;
+  });
+  return world;
+}
+
+void Fusion::adopt_ids(const WorldModel& world, HostTime at) {
+  names_.adopt(places_of(world.balls), head().balls, at, setting_.parameters.ball);
+  names_.adopt(places_of(world.obstacles), head().obstacles, at, setting_.parameters.obstacle);
+}
+
+Report Fusion::report_at(HostTime now) const {
+  Report report;
+  const Duration window = setting_.parameters.support_window;
+  const WorldModel world = world_at(now);
+  const auto is_in = [](const auto& list, std::uint32_t track) {
+    return std::any_of(
+        list.begin(), list.end(), [track](const auto& thing) { return thing.track == track; });
+  };
+  const auto add = [&](const TrackList& tracks, const auto& listed, bool is_ball) {
+    for (const Track& track : tracks) {
+      const std::uint32_t name = names_.name_of(track.key);
+      if (!is_in(listed, name)) continue;
+      report.tracks.push_back(report_of(track, now, window));
+      report.tracks.back().track = name;
+      report.tracks.back().is_ball = is_ball;
+    }
+  };
+  add(head().balls, world.balls, true);
+  add(head().obstacles, world.obstacles, false);
+  for (const Teammate& teammate : head().teammates) {
+    RobotReport robot;
+    robot.robot = teammate.robot;
+    robot.quarantine = quarantine_of(teammate, now, setting_.parameters.teammate);
+    robot.trust = robot.quarantine == Quarantine::kNone ? 1.0 : 0.0;
+    robot.accepted = teammate.accepted;
+    robot.rejected_gate = teammate.rejected_gate;
+    robot.rejected_late = late_[index_of(teammate.robot)];
+    robot.rejected_duplicate = duplicate_[index_of(teammate.robot)];
+    robot.rejected_posture = teammate.rejected_posture;
+    report.robots.push_back(robot);
+  }
+  std::sort(report.robots.begin(), report.robots.end(), [](const auto& a, const auto& b) {
+    return a.robot < b.robot;
+  });
+  return report;
+}
+
+}  // namespace teamsight::fusion

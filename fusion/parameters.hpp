@@ -1,0 +1,87 @@
+// fusion/parameters.hpp: every number that fusion was given rather than told by the robots.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/time.hpp"
+
+namespace teamsight::fusion {
+
+/// How one kind of thing moves, is seen, begins and ends.
+struct TrackParameters {
+  /// Power spectral density of the white acceleration, m^2/s^3.
+  double acceleration_psd{1.0};
+  /// Rate at which an undisturbed velocity fades, 1/s; stands for rolling friction.
+  double velocity_decay{0.0};
+  /// Of each component of a newborn track's velocity, m/s.
+  double sigma_speed_at_birth{2.0};
+  /// Share of the right observations that pass the gate, in (0, 1).
+  double gate_probability{0.997};
+  /// That a robot right beside it reports it; falls linearly to 0 at `detection_range`.
+  double detection_probability{0.5};
+  double detection_range{6.0};  ///< m
+  /// Observations with a smaller confidence are left out, in [0, 1].
+  double min_confidence{0.2};
+  /// A wider observation (larger semi-axis, m) updates a track but never begins one.
+  double max_sigma_at_birth{0.7};
+  /// A track is published after so many observations (M of N: N is `birth_window`).
+  int birth_hits{3};
+  Duration birth_window{std::chrono::seconds(1)};
+  /// A track that nobody has seen for so long is dropped.
+  Duration death_age{std::chrono::seconds(3)};
+  /// A track whose log-odds of existence fall below this is dropped.
+  double death_log_odds{-2.0};
+  double max_log_odds{4.6};  ///< 99 %
+  /// Two tracks nearer than this (m) are one thing: the younger is dropped.
+  double merge_distance{0.15};
+};
+
+[[nodiscard]] constexpr TrackParameters default_ball_parameters() {
+  TrackParameters ball;
+  ball.velocity_decay = 0.2;
+  ball.sigma_speed_at_birth = 3.0;
+  ball.detection_probability = 0.6;
+  return ball;
+}
+
+[[nodiscard]] constexpr TrackParameters default_obstacle_parameters() {
+  TrackParameters obstacle;
+  obstacle.detection_range = 5.0;
+  obstacle.death_age = std::chrono::seconds(2);
+  obstacle.merge_distance = 0.3;
+  return obstacle;
+}
+
+/// How teammates move and when they are believed.
+struct TeammateParameters {
+  double acceleration_psd{1.0};          ///< m^2/s^3
+  double angular_acceleration_psd{4.0};  ///< rad^2/s^3
+  double sigma_speed_at_start{2.0};      ///< m/s, per component
+  double sigma_omega_at_start{3.0};      ///< rad/s
+  /// A posture further from the prediction (chi-square, 3 degrees) is a jump: velocity starts anew.
+  double jump_probability{0.9999};
+  /// An ambiguous posture counts as resolved from these log-odds on (own evidence only): 95 %.
+  double resolved_log_odds{2.94};
+  /// How far a robot's visible body may lie aside from its posture; m.
+  double sigma_body{0.10};
+  Duration forget_age{std::chrono::seconds(5)};        ///< silent for longer: not listed
+  Duration duplicate_memory{std::chrono::seconds(2)};  ///< see Quarantine::kDuplicateId
+};
+
+/// Parameters of the whole fusion; SI and radians.
+struct Parameters {
+  TrackParameters ball{default_ball_parameters()};
+  TrackParameters obstacle{default_obstacle_parameters()};
+  TeammateParameters teammate;
+  double ball_radius{0.11};   ///< m
+  double robot_radius{0.25};  ///< m, where a sighting has no width
+  /// Observations that arrive later than this after their exposure are refused.
+  Duration lag{std::chrono::milliseconds(500)};
+  /// Observations whose exposure lies further ahead of the present are refused.
+  Duration max_future{std::chrono::milliseconds(50)};
+  /// For how long an observation makes its robot a supporter.
+  Duration support_window{std::chrono::milliseconds(500)};
+  double carpet_margin{0.5};  ///< m beyond the carpet within which things are still believed
+};
+
+}  // namespace teamsight::fusion

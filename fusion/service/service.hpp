@@ -1,0 +1,75 @@
+// fusion/service/service.hpp: the process `teamsight-fusion`: topics in, fusion, topics out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "bus/loop.hpp"
+#include "bus/participant.hpp"
+#include "bus/reader.hpp"
+#include "bus/writer.hpp"
+#include "fusion/fusion.hpp"
+#include "fusion/leadership.hpp"
+#include "fusion/service/clock_book.hpp"
+#include "process/meter.hpp"
+
+namespace teamsight::fusion {
+
+/// Who this instance is.
+struct ServiceIdentity {
+  RobotId robot{kNobody};
+  std::uint16_t strength{0};
+  std::uint32_t boot{0};
+};
+
+/// One fusion instance between the team's domain and its own host's. One thread: the loop's.
+class Service {
+ public:
+  /// @param team  the domain between the robots; both must outlive the service
+  /// @param host  the domain inside this computer
+  Service(const bus::Participant& team,
+          const bus::Participant& host,
+          const ServiceIdentity& identity,
+          Fusion fusion);
+
+  /// Hangs the service's handlers into the loop, which must not run longer than the service lives.
+  void attach(bus::Loop& loop);
+
+ private:
+  void take_sightings(HostTime now);
+  void take_sample(const bus::Sightings& sightings, HostTime now);
+  void take_worlds(HostTime now);
+  void take_probes(HostTime now);
+  void take_echoes(HostTime now);
+  void turn(HostTime now);
+  void publish_world(HostTime now, bool leads);
+  void publish_explanation(HostTime now);
+  void publish_diagnostics(HostTime now);
+  void publish_probe(HostTime now);
+
+  ServiceIdentity identity_;
+  Fusion fusion_;
+  Leadership leadership_;
+  ClockBook clocks_;
+  process::ProcessMeter meter_;
+  bus::Reader<bus::Sightings> sightings_;
+  bus::Reader<WorldModel> worlds_;
+  bus::Reader<bus::ClockProbe> probes_;
+  bus::Reader<bus::ClockEcho> echoes_;
+  bus::Writer<WorldModel> team_world_;
+  bus::Writer<WorldModel> host_world_;
+  bus::Writer<bus::Explanation> explanation_;
+  bus::Writer<bus::ClockProbe> probe_;
+  bus::Writer<bus::ClockEcho> echo_;
+  bus::Writer<bus::Diagnostics> diagnostics_;
+  WorldModel last_world_;
+  std::uint32_t world_count_{0};
+  std::uint32_t explanation_count_{0};
+  HostTime started_{};
+  HostTime published_{};
+  HostTime last_intake_{};
+  HostTime probed_{};
+  bool has_news_{false};
+};
+
+}  // namespace teamsight::fusion

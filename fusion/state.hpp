@@ -1,0 +1,39 @@
+// fusion/state.hpp: everything fusion believes at one moment, and how one observation changes it.
+#pragma once
+
+#include "fusion/observation.hpp"
+#include "fusion/parameters.hpp"
+#include "fusion/teammate.hpp"
+#include "fusion/track.hpp"
+#include "geometry/field_model.hpp"
+#include "geometry/world_model.hpp"
+
+namespace teamsight::fusion {
+
+/// A plain value; the result of a sequence of observations and of nothing else.
+struct State {
+  TrackList balls;
+  TrackList obstacles;
+  InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
+};
+
+/// What every observation is taken in with.
+struct Setting {
+  Parameters parameters;
+  FieldModel field;
+};
+
+/// Takes one observation in.
+///
+/// Sightings of a robot without a resolved posture, or under whose id two processes speak, are
+/// not used. Sighted obstacles are given to teammates first, then to obstacle tracks.
+///
+/// @pre observations come in the order of their exposures, and are valid
+void advance(State& state, const Observation& observation, const Setting& setting);
+
+/// The world at `now`, without maker and strength; track ids are the tracks' keys.
+///
+/// Tracks of which the last observation is later than `now` are given as of that observation.
+[[nodiscard]] WorldModel world_of(const State& state, HostTime now, const Parameters& parameters);
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,137 @@
+// fusion/teammate.cpp: see fusion/teammate.hpp.
+#include "fusion/teammate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "geometry/angle.hpp"
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+Eigen::Vector3d acceleration_psd(const TeammateParameters& parameters) {
+  return {parameters.acceleration_psd,
+          parameters.acceleration_psd,
+          parameters.angular_acceleration_psd};
+}
+
+void start(PostureTrack& track,
+           const PostureEstimate& posture,
+           HostTime exposure,
+           const TeammateParameters& parameters) {
+  const double v = parameters.sigma_speed_at_start;
+  const double w = parameters.sigma_omega_at_start;
+  track.mean << posture.X_FR.vector(), Eigen::Vector3d::Zero();
+  track.cov.setZero();
+  track.cov.topLeftCorner<3, 3>() = posture.cov;
+  track.cov.bottomRightCorner<3, 3>().diagonal() << v * v, v * v, w * w;
+  track.last = posture;
+  track.time = exposure;
+}
+
+void predict(PostureTrack& track, double dt, const TeammateParameters& parameters) {
+  Matrix6 transition = Matrix6::Identity();
+  transition.topRightCorner<3, 3>() = dt * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d psd = acceleration_psd(parameters).asDiagonal();
+  Matrix6 disturbance;
+  disturbance << psd * (dt * dt * dt / 3.0), psd * (dt * dt / 2.0), psd * (dt * dt / 2.0), psd * dt;
+  track.mean = transition * track.mean;
+  track.cov = transition * track.cov * transition.transpose() + disturbance;
+}
+
+}  // namespace
+
+void take_posture(PostureTrack& track,
+                  const PostureEstimate& posture,
+                  HostTime exposure,
+                  const TeammateParameters& parameters) {
+  if (track.time == kNever) return start(track, posture, exposure, parameters);
+  PostureTrack next = track;
+  predict(next, std::max(0.0, to_seconds(exposure - track.time)), parameters);
+  Eigen::Vector3d gap = posture.X_FR.vector() - next.mean.head<3>();
+  gap.z() = wrap_angle(gap.z());
+  const Eigen::Matrix3d cov_gap = next.cov.topLeftCorner<3, 3>() + posture.cov;
+  const Eigen::LLT<Eigen::Matrix3d> factor(cov_gap);
+  const double jump = chi_square_gate(3, parameters.jump_probability);
+  if (!(gap.dot(factor.solve(gap)) <= jump)) return start(track, posture, exposure, parameters);
+  const Eigen::Matrix<double, 6, 3> gain = factor.solve(next.cov.topRows<3>()).transpose();
+  next.mean += gain * gap;
+  next.mean(2) = wrap_angle(next.mean(2));
+  // Joseph's form keeps the covariance positive.
+  Matrix6 keep = Matrix6::Identity();
+  keep.leftCols<3>() -= gain;
+  const Matrix6 cov = keep * next.cov * keep.transpose() + gain * posture.cov * gain.transpose();
+  next.cov = 0.5 * (cov + cov.transpose());
+  next.last = posture;
+  next.time = exposure;
+  track = next;
+}
+
+CarriedPosture carried_to(const PostureTrack& track,
+                          HostTime now,
+                          const TeammateParameters& parameters) {
+  const double dt = std::max(0.0, to_seconds(now - track.time));
+  const Eigen::Vector3d velocity = track.mean.tail<3>();
+  const Eigen::Vector3d posture = track.last.X_FR.vector() + dt * velocity;
+  CarriedPosture carried;
+  carried.X_FR = {posture.x(), posture.y(), posture.z()};
+  carried.v_FR = {velocity.x(), velocity.y()};
+  // The velocity's error and the last posture's go together: their covariance is the gain times
+  // the posture's, which is the filter's own block.
+  const Eigen::Matrix3d cross = track.cov.topRightCorner<3, 3>();
+  const Eigen::Matrix3d psd = acceleration_psd(parameters).asDiagonal();
+  const Eigen::Matrix3d cov = track.last.cov + dt * (cross + cross.transpose()) +
+                              dt * dt * track.cov.bottomRightCorner<3, 3>() +
+                              (dt * dt * dt / 3.0) * psd;
+  carried.cov = 0.5 * (cov + cov.transpose());
+  return carried;
+}
+
+void take_frame(Teammate& teammate,
+                std::uint32_t boot,
+                const PostureEstimate& posture,
+                HostTime exposure,
+                const TeammateParameters& parameters) {
+  if (teammate.boot != boot) {
+    // One that spoke before and speaks again: two are alive. A new one: a restart.
+    const bool is_back = teammate.other_boot == boot &&
+                         exposure - teammate.other_seen <= parameters.duplicate_memory;
+    if (is_back) teammate.duplicate_seen = exposure;
+    teammate.other_boot = teammate.boot;
+    teammate.other_seen = teammate.seen;
+    teammate.boot = boot;
+    teammate.posture = PostureTrack{};
+  }
+  teammate.seen = std::max(teammate.seen, exposure);
+  teammate.status = posture.status;
+  teammate.half_log_odds = posture.half_log_odds;
+  if (posture.status != PostureStatus::kLost) {
+    take_posture(teammate.posture, posture, exposure, parameters);
+  }
+}
+
+bool is_resolved(PostureStatus status, double half_log_odds, const TeammateParameters& parameters) {
+  return status == PostureStatus::kOk ||
+         (status == PostureStatus::kAmbiguous && half_log_odds >= parameters.resolved_log_odds);
+}
+
+Quarantine quarantine_of(const Teammate& teammate,
+                         HostTime now,
+                         const TeammateParameters& parameters) {
+  if (now - teammate.duplicate_seen <= parameters.duplicate_memory) {
+    return Quarantine::kDuplicateId;
+  }
+  if (!is_resolved(teammate.status, teammate.half_log_odds, parameters)) {
+    return Quarantine::kNoPosture;
+  }
+  return Quarantine::kNone;
+}
+
+}  // namespace teamsight::fusion

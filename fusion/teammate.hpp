@@ -1,0 +1,82 @@
+// fusion/teammate.hpp: what is known of one robot of the own team from its own postures.
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "fusion/parameters.hpp"
+#include "fusion/track.hpp"
+#include "geometry/identity.hpp"
+#include "geometry/sighting.hpp"
+#include "geometry/time.hpp"
+#include "geometry/world_model.hpp"
+
+namespace teamsight::fusion {
+
+/// Velocity from successive postures: a Kalman filter over (x, y, theta, vx, vy, omega) in F.
+///
+/// The robot's own posture filter has already smoothed the postures, so their errors are not
+/// independent: the published posture is the last one carried forward, never a mean of several.
+struct PostureTrack {
+  Eigen::Matrix<double, 6, 1> mean{Eigen::Matrix<double, 6, 1>::Zero()};
+  Eigen::Matrix<double, 6, 6> cov{Eigen::Matrix<double, 6, 6>::Identity()};
+  PostureEstimate last;   ///< the last posture that was not lost
+  HostTime time{kNever};  ///< its exposure; kNever: there was none
+};
+
+/// Takes the next posture in. @pre it is not lost, and not older than the last
+void take_posture(PostureTrack& track,
+                  const PostureEstimate& posture,
+                  HostTime exposure,
+                  const TeammateParameters& parameters);
+
+/// A robot's posture carried forward.
+struct CarriedPosture {
+  Pose<Field, Robot> X_FR;
+  Velocity<Field> v_FR;                              ///< m/s
+  Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< of (x, y, theta); m, m, rad
+};
+
+/// @pre the track has a posture
+/// @param now  not before the last posture; if it is, the last posture itself
+[[nodiscard]] CarriedPosture carried_to(const PostureTrack& track,
+                                        HostTime now,
+                                        const TeammateParameters& parameters);
+
+/// One robot's processes, its postures, and the books about its observations.
+struct Teammate {
+  RobotId robot{kNobody};
+  std::uint32_t boot{0};            ///< of the process that speaks for it
+  std::uint32_t other_boot{0};      ///< the one that spoke before; 0 = none
+  HostTime other_seen{kNever};      ///< when that one spoke last
+  HostTime duplicate_seen{kNever};  ///< when two were last heard in turn
+  HostTime seen{kNever};            ///< exposure of its last frame
+  HostTime ball_seen{kNever};
+  PostureStatus status{PostureStatus::kLost};  ///< of its last frame
+  double half_log_odds{0.0};                   ///< of its last frame
+  PostureTrack posture;
+  std::uint32_t accepted{0};          ///< ball rays and obstacle sightings used
+  std::uint32_t rejected_gate{0};     ///< ... that fitted nothing
+  std::uint32_t rejected_posture{0};  ///< frames unused for want of a posture
+};
+
+/// Notes that a frame of this robot came, from the process `boot`, with this posture.
+void take_frame(Teammate& teammate,
+                std::uint32_t boot,
+                const PostureEstimate& posture,
+                HostTime exposure,
+                const TeammateParameters& parameters);
+
+/// Whether this posture can carry sightings into F: it is sure, or ambiguous with the robot's own
+/// evidence for this half.
+[[nodiscard]] bool is_resolved(PostureStatus status,
+                               double half_log_odds,
+                               const TeammateParameters& parameters);
+
+/// Why this robot's observations are not used at `now`.
+[[nodiscard]] Quarantine quarantine_of(const Teammate& teammate,
+                                       HostTime now,
+                                       const TeammateParameters& parameters);
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,92 @@
+// fusion/track_names.cpp: see fusion/track_names.hpp.
+#include "fusion/track_names.hpp"
+
+#include <algorithm>
+
+#include "fusion/assignment.hpp"
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+constexpr double kAlonePrice = 1e4;      // dearer than any pair within the gate
+constexpr double kSameNameBonus = 20.0;  // two tracks side by side do not swap their names
+constexpr double kTentativePenalty = 15.0;
+// Two instances that lost different packets see the same thing this much apart; m^2.
+constexpr double kSlackVar = 0.01;
+
+bool contains(const TrackList& tracks, std::uint32_t key) {
+  return std::any_of(
+      tracks.begin(), tracks.end(), [key](const Track& track) { return track.key == key; });
+}
+
+}  // namespace
+
+std::uint32_t TrackNames::name_of(std::uint32_t key) const {
+  for (const Alias& alias : aliases_) {
+    if (alias.key == key) return alias.name;
+  }
+  return key;
+}
+
+void TrackNames::set(std::uint32_t key, std::uint32_t name) {
+  for (Alias& alias : aliases_) {
+    if (alias.key == key) {
+      alias.name = name;
+      return;
+    }
+  }
+  if (key != name) aliases_.push_back({key, name});
+}
+
+void TrackNames::adopt(const std::vector<NamedPlace>& places,
+                       const TrackList& tracks,
+                       HostTime at,
+                       const TrackParameters& parameters) {
+  const double gate = chi_square_gate(2, parameters.gate_probability);
+  const auto rows = static_cast<Eigen::Index>(
+      std::min(places.size(), static_cast<std::size_t>(kMaxAssignmentRows)));
+  CostMatrix cost(rows, static_cast<Eigen::Index>(tracks.size()));
+  cost.setConstant(kForbidden);
+  for (std::size_t column = 0; column < tracks.size(); ++column) {
+    const Track& track = tracks[column];
+    const PlanarMoments moments = moments_at(track, at, parameters);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      const NamedPlace& place = places[static_cast<std::size_t>(row)];
+      const Eigen::Matrix2d cov =
+          place.cov + moments.cov.topLeftCorner<2, 2>() + kSlackVar * Eigen::Matrix2d::Identity();
+      // A track may already be later than the places are.
+      const double later = std::max(0.0, to_seconds(track.time - at));
+      const double distance =
+          squared_mahalanobis(place.p_F + later * place.v_F - moments.mean.head<2>(), cov);
+      if (!(distance <= gate)) continue;
+      cost(row, static_cast<Eigen::Index>(column)) =
+          distance - (name_of(track.key) == place.track ? kSameNameBonus : 0.0) +
+          (track.is_confirmed ? 0.0 : kTentativePenalty);
+    }
+  }
+  const Assignment assignment = assign(cost, kAlonePrice);
+  std::array<bool, kMaxTracks> is_named{};
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
+    if (assignment[row] == kUnassigned) continue;
+    const auto column = static_cast<std::size_t>(assignment[row]);
+    set(tracks[column].key, places[row].track);
+    is_named[column] = true;
+  }
+  // Whoever bears one of these names without lying there gets a new one.
+  for (std::size_t column = 0; column < tracks.size(); ++column) {
+    const std::uint32_t key = tracks[column].key;
+    const std::uint32_t name = name_of(key);
+    const bool is_taken = std::any_of(
+        places.begin(), places.end(), [name](const auto& place) { return place.track == name; });
+    if (!is_named[column] && is_taken) set(key, track_key({kNobody, key, name}, 0));
+  }
+}
+
+void TrackNames::keep_only(const TrackList& balls, const TrackList& obstacles) {
+  std::erase_if(aliases_, [&](const Alias& alias) {
+    return !contains(balls, alias.key) && !contains(obstacles, alias.key);
+  });
+}
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,50 @@
+// fusion/track_names.hpp: by which ids tracks are known outside, so that ids outlive their maker.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fusion/parameters.hpp"
+#include "fusion/track.hpp"
+#include "geometry/world_model.hpp"
+
+namespace teamsight::fusion {
+
+/// Where a track with a known name is, to compare others by; in F.
+struct NamedPlace {
+  std::uint32_t track{0};
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};      ///< m
+  Eigen::Vector2d v_F{Eigen::Vector2d::Zero()};      ///< m/s
+  Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};  ///< of p_F; m^2
+};
+
+/// Public ids of tracks, where they differ from the tracks' keys.
+class TrackNames {
+ public:
+  /// The public id of the track with this key.
+  [[nodiscard]] std::uint32_t name_of(std::uint32_t key) const;
+
+  /// Gives tracks the ids of the places they lie at (global nearest neighbour within the gate;
+  /// a track that has the id already is preferred). An id is never given twice.
+  ///
+  /// @param at  when the places were
+  void adopt(const std::vector<NamedPlace>& places,
+             const TrackList& tracks,
+             HostTime at,
+             const TrackParameters& parameters);
+
+  /// Forgets the names of tracks that are in neither list.
+  void keep_only(const TrackList& balls, const TrackList& obstacles);
+
+ private:
+  struct Alias {
+    std::uint32_t key{0};
+    std::uint32_t name{0};
+  };
+
+  void set(std::uint32_t key, std::uint32_t name);
+
+  std::vector<Alias> aliases_;
+};
+
+}  // namespace teamsight::fusion
