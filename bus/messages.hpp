@@ -1,7 +1,8 @@
 // bus/messages.hpp: the topics as values, one struct per topic of idl/teamsight.idl.
 //
 // The world model and its parts are in geometry/, because the core speaks of them too. Stamps are
-// PeerTime: the clock of whoever wrote the sample. `from_wire` establishes what each field promises.
+// PeerTime: the clock of whoever wrote the sample. `from_wire` establishes what each field
+// promises.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +22,21 @@ struct RobotState {
   ObservationId id;
   PeerTime exposure;
   PeerTime published;
-  PostureEstimate posture;            ///< at `exposure`
-  Velocity<Robot> v_R;                ///< of R over the floor; m/s
-  double omega{0.0};                  ///< rad/s
-  double half_log_odds_team{0.0};     ///< what the team told it, kept apart from its own
+  PostureEstimate posture;                ///< at `exposure`
+  Velocity<Robot> v_R;                    ///< of R over the floor; m/s
+  double omega{0.0};                      ///< rad/s
+  double half_log_odds_team{0.0};         ///< what the team told it, kept apart from its own
   std::uint32_t command_acknowledged{0};  ///< id of the last command carried out; 0 = none
   bool playing{true};
   bool sees_ball{false};
   bool has_ball{false};
-  bool camera_lost{false};            ///< no frame for longer than three frame times
-  double frame_rate{0.0};             ///< Hz
-  double battery{0.0};                ///< V; 0 = not measured
-  double cpu_load{0.0};               ///< of one core, this process
-  double cpu_temperature{0.0};        ///< degrees Celsius; 0 = not measured
-  double calibration_drift{0.0};      ///< robust mean radial residual of the lines, px; 0 = unknown
-  std::string software_version;       ///< at most 15 characters
+  bool camera_lost{false};        ///< no frame for longer than three frame times
+  double frame_rate{0.0};         ///< Hz
+  double battery{0.0};            ///< V; 0 = not measured
+  double cpu_load{0.0};           ///< of one core, this process
+  double cpu_temperature{0.0};    ///< degrees Celsius; 0 = not measured
+  double calibration_drift{0.0};  ///< robust mean radial residual of the lines, px; 0 = unknown
+  std::string software_version;   ///< at most 15 characters
 
   friend bool operator==(const RobotState&, const RobotState&) = default;
 };
@@ -56,8 +57,8 @@ struct Sightings {
 };
 
 struct SensorReading {
-  std::string name;         ///< at most 23 characters
-  double value{0.0};        ///< share of the window in the sensor's colours, in [0, 1]
+  std::string name;   ///< at most 23 characters
+  double value{0.0};  ///< share of the window in the sensor's colours, in [0, 1]
   bool triggered{false};
 
   friend bool operator==(const SensorReading&, const SensorReading&) = default;
@@ -78,10 +79,10 @@ struct Odometry {
   ObservationId id;
   PeerTime stamp;
   Pose<Drive, Robot> X_DR;
-  Velocity<Robot> v_R;         ///< m/s
-  double omega{0.0};           ///< rad/s
-  double sigma_v{0.0};         ///< m/s
-  double sigma_omega{0.0};     ///< rad/s
+  Velocity<Robot> v_R;      ///< m/s
+  double omega{0.0};        ///< rad/s
+  double sigma_v{0.0};      ///< m/s
+  double sigma_omega{0.0};  ///< rad/s
   bool slipping{false};
 
   friend bool operator==(const Odometry&, const Odometry&) = default;
@@ -139,17 +140,33 @@ struct ClockReply {
 };
 
 struct ClockEcho {
-  ObservationId id;  ///< robot = the host that answers
-  PeerTime sent;     ///< just before the write
+  ObservationId id;                 ///< robot = the host that answers
+  PeerTime sent;                    ///< just before the write
   std::vector<ClockReply> replies;  ///< at most 16
 
   friend bool operator==(const ClockEcho&, const ClockEcho&) = default;
 };
 
 enum class GamePhase : std::uint8_t {
-  kUnknown, kBefore, kFirstHalf, kHalfTime, kSecondHalf, kOver, kShootout };
+  kUnknown,
+  kBefore,
+  kFirstHalf,
+  kHalfTime,
+  kSecondHalf,
+  kOver,
+  kShootout
+};
 enum class SetPiece : std::uint8_t {
-  kNone, kKickoff, kFreekick, kGoalkick, kThrowin, kCorner, kPenalty, kDropball, kPark };
+  kNone,
+  kKickoff,
+  kFreekick,
+  kGoalkick,
+  kThrowin,
+  kCorner,
+  kPenalty,
+  kDropball,
+  kPark
+};
 
 struct GameState {
   ObservationId id;
@@ -167,16 +184,23 @@ struct GameState {
 };
 
 enum class CommandKind : std::uint8_t {
-  kNone, kRelocate, kMute, kUnmute, kBallHint, kLinePoints, kThumbnail };
+  kNone,
+  kRelocate,
+  kMute,
+  kUnmute,
+  kBallHint,
+  kLinePoints,
+  kThumbnail
+};
 
 struct Command {
   ObservationId id;
-  RobotId target{kNobody};       ///< kNobody = all robots
-  std::uint32_t command{0};      ///< acknowledged in RobotState; never 0
+  RobotId target{kNobody};   ///< kNobody = all robots
+  std::uint32_t command{0};  ///< acknowledged in RobotState; never 0
   CommandKind kind{CommandKind::kNone};
-  Pose<Field, Robot> X_FR;       ///< relocate: the posture; ball hint: x and y
+  Pose<Field, Robot> X_FR;  ///< relocate: the posture; ball hint: x and y
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};
-  Duration duration{0};          ///< how long line points and thumbnails go on
+  Duration duration{0};  ///< how long line points and thumbnails go on
 
   friend bool operator==(const Command&, const Command&) = default;
 };
@@ -193,11 +217,11 @@ struct Diagnostics {
   ObservationId id;
   PeerTime stamp;
   bool healthy{true};
-  std::string message;            ///< what is wrong and what to do; at most 95 characters
-  double frame_age_ms{-1.0};      ///< -1 = none yet, or no camera
+  std::string message;        ///< what is wrong and what to do; at most 95 characters
+  double frame_age_ms{-1.0};  ///< -1 = none yet, or no camera
   double step_ms_p50{0.0};
   double step_ms_p95{0.0};
-  double cpu_load{0.0};           ///< of one core
+  double cpu_load{0.0};  ///< of one core
   std::uint32_t resident_kb{0};
   std::vector<Counter> counters;  ///< at most 18
 

@@ -23,21 +23,27 @@ struct DomainSettings {
 };
 
 /// One DDS participant. All readers and writers of a process are made at start, before any
-/// traffic, and destroyed before it. Move-only. Use from one thread.
+/// traffic; each keeps its participant alive, so that they are destroyed in order. Move-only. Use
+/// from one thread.
+///
+/// A process may join several domains, and the same domain several times with equal settings. A
+/// reader never hears the writers of its own participant: a fusion would take its own world for
+/// another's. A test that needs both ends in one process joins twice.
 class Participant {
  public:
-  /// Reads the profile, makes the domain from it and joins; while no network interface is up it
-  /// tries again every second for as long as `keep_trying()` is true.
+  /// Reads the profile, makes the domain from it and joins; while no network interface is up, or
+  /// the one it names exists but is down, it tries again every second for as long as
+  /// `keep_trying()` is true.
   ///
   /// The profile replaces the environment: CYCLONEDDS_URI is not consulted, and a profile that
   /// does not parse never falls back to defaults.
   ///
   /// @throws BusError if the file cannot be read, does not parse, or names a missing interface
-  ///         (the library's own reason is in the message), or when keep_trying() turned false
-  [[nodiscard]] static Participant join(const DomainSettings& settings,
-                                        const std::function<bool()>& keep_trying = [] {
-                                          return false;
-                                        });
+  ///         (the library's own reason is in the message), if this process is in the domain with
+  ///         other settings, or when keep_trying() turned false
+  [[nodiscard]] static Participant join(
+      const DomainSettings& settings,
+      const std::function<bool()>& keep_trying = [] { return false; });
 
   Participant(Participant&&) noexcept;
   Participant& operator=(Participant&&) noexcept;
@@ -48,10 +54,14 @@ class Participant {
   /// Cyclone's handle, for bus/ only.
   [[nodiscard]] std::int32_t handle() const noexcept;
 
- private:
+  /// Holds the participant while readers and writers live, for bus/ only.
+  [[nodiscard]] std::shared_ptr<const void> keep_alive() const noexcept;
+
   struct Impl;
-  explicit Participant(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+
+ private:
+  explicit Participant(std::shared_ptr<Impl> impl);
+  std::shared_ptr<Impl> impl_;
 };
 
 }  // namespace teamsight::bus

@@ -25,9 +25,9 @@ template <class Message>
 struct Sample {
   std::optional<Message> message;  ///< nothing: only the presence changed
   Presence presence{Presence::kAlive};
-  std::uint64_t instance{0};       ///< tells instances apart while the reader lives
-  std::uint64_t writer{0};         ///< tells writers apart while they live
-  HostTime received;               ///< when it was taken
+  std::uint64_t instance{0};  ///< tells instances apart while the reader lives
+  std::uint64_t writer{0};    ///< tells writers apart while they live
+  HostTime received;          ///< when it was taken
 };
 
 /// Reads one topic. Samples that fail validation are dropped and counted. Use from one thread.

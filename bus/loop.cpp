@@ -1,0 +1,177 @@
+// bus/loop.cpp: epoll, timerfd, eventfd and signalfd; nothing that waits on the wall clock.
+#include "bus/loop.hpp"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/signalfd.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include "bus/participant.hpp"
+#include "geometry/expect.hpp"
+
+namespace teamsight::bus {
+namespace {
+
+using Handler = std::function<void()>;
+
+int opened(int descriptor, const char* call) {
+  if (descriptor >= 0) return descriptor;
+  throw BusError(std::string(call) + ": " + std::strerror(errno));
+}
+
+sigset_t ending_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+// Blocked, so that they wait in the signalfd; put back at the end.
+class BlockedSignals {
+ public:
+  BlockedSignals() {
+    const sigset_t set = ending_signals();
+    pthread_sigmask(SIG_BLOCK, &set, &before_);
+  }
+
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) noexcept : descriptor_(descriptor) {}
+
+  ~Descriptor() { ::close(descriptor_); }
+
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int get() const noexcept { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+int make_signal_fd() {
+  const sigset_t set = ending_signals();
+  return opened(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
+}
+
+bool ending_signal_is_pending() noexcept {
+  sigset_t pending;
+  sigpending(&pending);
+  return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
+}
+
+void drain(int descriptor) noexcept {
+  std::array<char, sizeof(signalfd_siginfo)> buffer{};
+  while (::read(descriptor, buffer.data(), buffer.size()) > 0) {
+  }
+}
+
+timespec to_timespec(Duration duration) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration);
+  return {seconds.count(), (duration - seconds).count()};
+}
+
+}  // namespace
+
+struct Loop::Impl {
+  Impl() {
+    watch(wake.get(), [this] { drain(wake.get()); });
+    watch(signals.get(), [this] {
+      drain(signals.get());
+      stopped = true;
+    });
+  }
+
+  void watch(int descriptor, Handler handler) {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.fd = descriptor;
+    opened(epoll_ctl(epoll.get(), EPOLL_CTL_ADD, descriptor, &event), "epoll_ctl");
+    handlers[descriptor] = std::make_shared<Handler>(std::move(handler));
+  }
+
+  void call(int descriptor) {
+    const auto found = handlers.find(descriptor);
+    if (found == handlers.end()) return;                     // forgotten by a handler just before
+    const std::shared_ptr<Handler> handler = found->second;  // it may forget itself
+    (*handler)();
+  }
+
+  BlockedSignals blocked;
+  Descriptor epoll{opened(epoll_create1(EPOLL_CLOEXEC), "epoll_create1")};
+  Descriptor wake{opened(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd")};
+  Descriptor signals{make_signal_fd()};
+  std::map<int, std::shared_ptr<Handler>> handlers;
+  std::vector<std::unique_ptr<Descriptor>> timers;
+  std::atomic<bool> stopped{false};
+};
+
+Loop::Loop() : impl_(std::make_unique<Impl>()) {}
+
+Loop::~Loop() = default;
+
+void Loop::on_readable(int descriptor, std::function<void()> handler) {
+  impl_->watch(descriptor, std::move(handler));
+}
+
+void Loop::forget(int descriptor) {
+  if (impl_->handlers.erase(descriptor) == 0) return;
+  epoll_ctl(impl_->epoll.get(), EPOLL_CTL_DEL, descriptor, nullptr);
+}
+
+void Loop::every(Duration period, std::function<void()> handler) {
+  TEAMSIGHT_EXPECT(period > Duration{0});
+  const int timer =
+      opened(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK), "timerfd_create");
+  impl_->timers.push_back(std::make_unique<Descriptor>(timer));
+  const itimerspec spec{to_timespec(period), to_timespec(period)};
+  opened(timerfd_settime(timer, 0, &spec, nullptr), "timerfd_settime");
+  impl_->watch(timer, [timer, handler = std::move(handler)] {
+    std::uint64_t ticks = 0;  // however many: one call
+    if (::read(timer, &ticks, sizeof ticks) == sizeof ticks) handler();
+  });
+}
+
+void Loop::run() {
+  std::array<epoll_event, 16> events{};
+  while (!impl_->stopped) {
+    const int count =
+        epoll_wait(impl_->epoll.get(), events.data(), static_cast<int>(events.size()), -1);
+    for (int i = 0; i < count && !impl_->stopped; ++i) {
+      impl_->call(events[static_cast<std::size_t>(i)].data.fd);
+    }
+  }
+}
+
+void Loop::stop() noexcept {
+  impl_->stopped = true;
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(impl_->wake.get(), &one, sizeof one);
+}
+
+bool Loop::keeps_running() const noexcept {
+  return !impl_->stopped && !ending_signal_is_pending();
+}
+
+}  // namespace teamsight::bus

@@ -1,0 +1,147 @@
+// bus/participant.cpp: one domain per id and process, made from its profile; participants in it.
+#include "bus/participant.hpp"
+
+#include <ctime>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <net/if.h>
+
+#include "bus/entity.hpp"
+#include "bus/library_log.hpp"
+#include "bus/participant_impl.hpp"
+#include "bus/profile.hpp"
+
+namespace teamsight::bus {
+
+std::int32_t check(std::int32_t code, const char* call) {
+  if (code >= 0) return code;
+  throw BusError(std::string(call) + ": " + dds_strretcode(code));
+}
+
+/// A DDS domain of this process; alive while a participant is in it.
+struct Domain {
+  Entity entity;
+  std::string configuration;
+};
+
+namespace {
+
+// The library has one domain per id and process; two participants with the same settings share it.
+struct Registry {
+  std::mutex mutex;
+  std::map<std::uint32_t, std::weak_ptr<Domain>> domains;
+};
+
+Registry& registry() {
+  static Registry* const instance = new Registry;  // outlives static participants
+  return *instance;
+}
+
+struct JoinFailure {
+  std::string reason;
+  bool may_pass{false};  // an interface is only down
+};
+
+// The library ends its message about an unknown interface like this, its name before it.
+constexpr std::string_view kNoSuchInterface = ": does not match an available interface";
+
+bool names_an_existing_interface(const std::string& reason) {
+  const std::size_t end = reason.find(kNoSuchInterface);
+  if (end == std::string::npos) return false;
+  const std::size_t before = reason.find_last_of(" ;\n", end == 0 ? 0 : end - 1);
+  const std::size_t start = before == std::string::npos ? 0 : before + 1;
+  return if_nametoindex(reason.substr(start, end - start).c_str()) != 0;
+}
+
+JoinFailure failure_of(const char* call, dds_return_t code) {
+  std::string reason = LibraryLogCapture::text();
+  const bool none_up = reason.find("failed to find interfaces") != std::string::npos;
+  const bool may_pass = none_up || names_an_existing_interface(reason);
+  if (reason.empty()) reason = std::string(call) + ": " + dds_strretcode(code);
+  for (char& c : reason) {
+    if (c == '\n') c = ' ';
+  }
+  return {std::move(reason), may_pass};
+}
+
+std::shared_ptr<Domain> shared_domain(const DomainSettings& settings,
+                                      const std::string& configuration) {
+  std::shared_ptr<Domain> domain = registry().domains[settings.domain_id].lock();
+  if (domain && domain->configuration != configuration) {
+    throw BusError("DDS profile " + settings.profile_path + ": this process is in domain " +
+                   std::to_string(settings.domain_id) + " already, with another profile or tag");
+  }
+  return domain;
+}
+
+using MaybeFailure = std::optional<JoinFailure>;
+
+MaybeFailure try_join(const DomainSettings& settings,
+                      const std::string& configuration,
+                      Participant::Impl& out) {
+  const std::lock_guard lock(registry().mutex);
+  const LibraryLogCapture capture;
+  std::shared_ptr<Domain> domain = shared_domain(settings, configuration);
+  if (!domain) {
+    // Checked: after a failure here dds_create_participant would succeed, with the defaults.
+    const dds_entity_t handle = dds_create_domain(settings.domain_id, configuration.c_str());
+    if (handle < 0) return failure_of("dds_create_domain", handle);
+    domain = std::make_shared<Domain>(Domain{Entity(handle), configuration});
+  }
+  const dds_entity_t handle = dds_create_participant(settings.domain_id, nullptr, nullptr);
+  if (handle < 0) return failure_of("dds_create_participant", handle);
+  out.domain = domain;
+  out.entity = Entity(handle);
+  registry().domains[settings.domain_id] = std::move(domain);
+  return std::nullopt;
+}
+
+// One second in short steps, so that a stop is heard at once. Not on the wall clock.
+bool wait_while(const std::function<bool()>& keep_trying) {
+  constexpr int kSteps = 20;
+  constexpr timespec kStep{0, 50'000'000};
+  for (int i = 0; i < kSteps && keep_trying(); ++i) {
+    clock_nanosleep(CLOCK_MONOTONIC, 0, &kStep, nullptr);
+  }
+  return keep_trying();
+}
+
+}  // namespace
+
+Participant::Impl::~Impl() {
+  // Under the lock: another thread that joins must find the domain either whole or gone.
+  const std::lock_guard lock(registry().mutex);
+  entity = Entity();
+  domain.reset();
+}
+
+Participant Participant::join(const DomainSettings& settings,
+                              const std::function<bool()>& keep_trying) {
+  const std::string configuration = load_profile(settings.profile_path, settings.tag);
+  auto impl = std::make_shared<Impl>();
+  while (const MaybeFailure failed = try_join(settings, configuration, *impl)) {
+    if (!failed->may_pass || !wait_while(keep_trying)) {
+      throw BusError("DDS profile " + settings.profile_path + ": " + failed->reason);
+    }
+  }
+  return Participant(std::move(impl));
+}
+
+Participant::Participant(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Participant::Participant(Participant&&) noexcept = default;
+Participant& Participant::operator=(Participant&&) noexcept = default;
+Participant::~Participant() = default;
+
+std::int32_t Participant::handle() const noexcept {
+  return impl_->entity.handle();
+}
+
+std::shared_ptr<const void> Participant::keep_alive() const noexcept {
+  return impl_;
+}
+
+}  // namespace teamsight::bus

@@ -1,0 +1,108 @@
+// bus/profile.cpp: checks what the library would silently take for "all defaults".
+#include "bus/profile.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "bus/participant.hpp"
+
+namespace teamsight::bus {
+namespace {
+
+constexpr std::string_view kRootStart = "<CycloneDDS";
+constexpr std::string_view kRootEnd = "</CycloneDDS>";
+constexpr std::size_t kMaxTag = 64;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw BusError("DDS profile " + path + ": " + reason);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  // A directory opens, but does not read.
+  if (file.bad() || text.empty()) fail(path, "is empty, expected <CycloneDDS> ... </CycloneDDS>");
+  return text;
+}
+
+// Line breaks stay, so that the library's line numbers are those of the file.
+void blank_comments(const std::string& path, std::string& text) {
+  for (std::size_t start = text.find("<!--"); start != std::string::npos;
+       start = text.find("<!--", start)) {
+    const std::size_t end = text.find("-->", start);
+    if (end == std::string::npos) fail(path, "a comment has no end");
+    std::replace_if(
+        text.begin() + static_cast<std::ptrdiff_t>(start),
+        text.begin() + static_cast<std::ptrdiff_t>(end + 3),
+        [](char c) { return c != '\n'; },
+        ' ');
+  }
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+void check_root(const std::string& path, std::string_view text) {
+  const std::string_view body = trimmed(text);
+  if (!body.starts_with(kRootStart) || !body.ends_with(kRootEnd) ||
+      body.find(kRootEnd) + kRootEnd.size() != body.size()) {
+    fail(path, "expected exactly one <CycloneDDS> ... </CycloneDDS> and nothing else");
+  }
+}
+
+// A section for another domain does not apply, and what does not apply is a default.
+void check_domains(const std::string& path, const std::string& text) {
+  constexpr std::string_view kDomain = "<Domain";
+  bool found = false;
+  for (std::size_t at = text.find(kDomain); at != std::string::npos;
+       at = text.find(kDomain, at + 1)) {
+    const std::size_t end = text.find('>', at);
+    if (end == std::string::npos) fail(path, "a <Domain> tag has no end");
+    const std::size_t attributes = at + kDomain.size();
+    if (std::isalnum(static_cast<unsigned char>(text[attributes])) != 0) continue;
+    const std::string_view inside =
+        trimmed(std::string_view(text).substr(attributes, end - attributes));
+    if (!inside.empty() && inside != "Id=\"any\"" && inside != "id=\"any\"") {
+      fail(path, "<Domain " + std::string(inside) + ">, expected <Domain Id=\"any\">");
+    }
+    found = true;
+  }
+  if (!found) fail(path, "has no <Domain> section");
+}
+
+void check_tag(const std::string& path, std::string_view tag) {
+  const auto allowed = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+  };
+  if (tag.size() > kMaxTag || !std::all_of(tag.begin(), tag.end(), allowed)) {
+    fail(path,
+         "tag '" + std::string(tag) + "', expected at most 64 letters, digits, '_', '-' or '.'");
+  }
+}
+
+}  // namespace
+
+std::string load_profile(const std::string& path, std::string_view tag) {
+  check_tag(path, tag);
+  std::string text = read_file(path);
+  blank_comments(path, text);
+  check_root(path, text);
+  check_domains(path, text);
+  if (!tag.empty()) {
+    text += "<CycloneDDS><Domain Id=\"any\"><Discovery><Tag>";
+    text += tag;
+    text += "</Tag></Discovery></Domain></CycloneDDS>";
+  }
+  return text;
+}
+
+}  // namespace teamsight::bus
