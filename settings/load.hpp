@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct RobotSettings {
 /// A simulated match (config/matches). Paths are absolute; the files exist.
 struct MatchSettings {
   std::filesystem::path field;
-  std::filesystem::path camera;  ///< the same for every robot
-  std::vector<RobotId> robots;   ///< the own robots that play; no id twice, at least one
+  std::filesystem::path camera;      ///< the same for every robot
+  std::optional<TeamSettings> team;  ///< nothing: no odometry and no truth on the host domains
+  std::vector<RobotId> robots;       ///< the own robots that play; no id twice, at least one
   std::uint32_t opponents{0};
   std::uint32_t seed{1};  ///< the same seed gives the same match
   double frame_rate_hz{15.0};

@@ -55,6 +55,7 @@ MatchSettings load_match(const std::filesystem::path& path) {
   MatchSettings match;
   match.field = text.resolve("field", file.field());
   match.camera = text.resolve("camera", file.camera());
+  if (file.has_team()) match.team = load_team(text.resolve("team", file.team()));
   for (int i = 0; i < file.robot_size(); ++i) {
     const auto id = static_cast<RobotId>(file.robot(i));
     if (std::ranges::find(match.robots, id) != match.robots.end()) {
