@@ -33,7 +33,9 @@ struct ClockParameters {
 /// the true offset lies within half of it on either side [Cristian89]. A value, one per peer.
 class ClockOffset {
  public:
-  explicit ClockOffset(const ClockParameters& parameters = {}) : parameters_(parameters) {}
+  ClockOffset() = default;
+
+  explicit ClockOffset(const ClockParameters& parameters) : parameters_(parameters) {}
 
   /// Takes one exchange in.
   ///
