@@ -150,7 +150,7 @@ Profile MultiPartSolution::profile() const {
     const double u = static_cast<double>(i) / kRingIntervals;
     ring.nodes.push_back({i == kRingIntervals ? C.x : B.x + u * (C.x - B.x), C.y, 0.0});
   }
-  Part middle{.name = "curvature", .nodes = sample(arc, kArcIntervals)};
+  Part middle{.name = "constant curvature", .nodes = sample(arc, kArcIntervals)};
   return {
       {{.name = "isometric", .nodes = integrate_isometric(isometric, kIsometricIntervals).value()},
        std::move(middle),
