@@ -15,6 +15,6 @@ namespace teamsight::detail {
 
 /// Active in every build: prints the broken precondition and aborts, so that the supervisor
 /// restarts the process. For mistakes of the caller only, never for data from outside.
-#define TEAMSIGHT_EXPECT(condition) \
+#define TEAMSIGHT_EXPECT(condition)   \
   ((condition) ? static_cast<void>(0) \
                : ::teamsight::detail::expectation_failed(#condition, __FILE__, __LINE__))

@@ -60,9 +60,8 @@ NearestLine nearest_on(const FieldArc& arc, const Eigen::Vector2d& p) {
   }
   const double past_end = along - arc.sweep;
   const double before_start = kTurn - along;
-  return away_from(point_of(arc, past_end < before_start ? arc.start + arc.sweep : arc.start),
-                   p,
-                   true);
+  return away_from(
+      point_of(arc, past_end < before_start ? arc.start + arc.sweep : arc.start), p, true);
 }
 
 }  // namespace
@@ -119,7 +118,9 @@ bool is_half_turn_symmetric(const FieldModel& field) {
 }
 
 FieldModel shifted(FieldModel field, const Eigen::Vector2d& offset_F) {
-  const auto move = [&](Point<Field>& p) { p = Point<Field>::from(p.vector() + offset_F); };
+  const auto move = [&](Point<Field>& p) {
+    p = Point<Field>::from(p.vector() + offset_F);
+  };
   move(field.centre);
   for (FieldLine& line : field.lines) {
     move(line.from);

@@ -19,7 +19,7 @@ enum class LineFamily : std::uint8_t {
   kHorizontal,  ///< parallel to x: side lines or walls, area sides, goal sides
 };
 
-/// A straight painted line; the centre of the paint.
+/// A straight painted line; the centre of the paint. Never of no length: settings/ refuses that.
 struct FieldLine {
   std::string name;
   Point<Field> from;
@@ -92,11 +92,11 @@ struct FieldModel {
 
 /// Where the paint nearest to a floor point is.
 struct NearestLine {
-  double distance{0.0};            ///< signed along `normal`: p = closest + distance * normal; m
-  Eigen::Vector2d closest_F;       ///< on the paint's centre line; m
-  Eigen::Vector2d normal_F;        ///< unit length
-  std::uint16_t primitive{0};      ///< index into lines, then arcs
-  bool is_end{false};              ///< `closest` is an end point, so the normal is not the line's
+  double distance{0.0};        ///< signed along `normal`: p = closest + distance * normal; m
+  Eigen::Vector2d closest_F;   ///< on the paint's centre line; m
+  Eigen::Vector2d normal_F;    ///< unit length
+  std::uint16_t primitive{0};  ///< index into lines, then arcs
+  bool is_end{false};          ///< `closest` is an end point, so the normal is not the line's
 };
 
 /// Finds the painted line or arc nearest to `p_F`, by comparing with each of them.

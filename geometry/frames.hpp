@@ -73,8 +73,8 @@ struct Velocity3 {
 /// A half line in space, expressed in `Frame`.
 template <class Frame>
 struct Ray {
-  Point3<Frame> origin;                          ///< metres
-  Eigen::Vector3d direction{0.0, 0.0, -1.0};     ///< unit length, away from the origin
+  Point3<Frame> origin;                       ///< metres
+  Eigen::Vector3d direction{0.0, 0.0, -1.0};  ///< unit length, away from the origin
 
   friend bool operator==(const Ray&, const Ray&) = default;
 };

@@ -1,6 +1,8 @@
 // geometry/result.hpp: a value, or the reason why there is none.
 #pragma once
 
+#include <utility>
+
 #include <tl/expected.hpp>
 
 namespace teamsight {

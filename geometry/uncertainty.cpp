@@ -9,44 +9,68 @@
 
 namespace teamsight {
 
-bool is_covariance(const Eigen::Ref<const Eigen::MatrixXd>& cov) {
-  constexpr double kSmallestVar = 1e-12;
-  constexpr double kLargestVar = 1e12;
-  if (cov.rows() == 0 || cov.rows() != cov.cols() || !cov.allFinite()) return false;
-  const double scale = cov.diagonal().cwiseAbs().maxCoeff();
-  if (cov.diagonal().minCoeff() < kSmallestVar || scale > kLargestVar) return false;
-  if (!(cov - cov.transpose()).isZero(1e-6 * scale)) return false;
-  return Eigen::LLT<Eigen::MatrixXd>(cov).info() == Eigen::Success;
-}
-
-double squared_mahalanobis(const Eigen::Ref<const Eigen::VectorXd>& difference,
-                           const Eigen::Ref<const Eigen::MatrixXd>& cov) {
-  TEAMSIGHT_EXPECT(difference.size() == cov.rows());
-  return difference.dot(Eigen::LLT<Eigen::MatrixXd>(cov).solve(difference));
-}
-
 namespace {
 
-// Inverse of the standard normal distribution by bisection on erfc: exact, and called once per gate.
-double normal_quantile(double probability) {
-  double low = -10.0;
-  double high = 10.0;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < probability ? low : high) = middle;
+// Bounded, so that neither check nor distance allocates: both run for every observation.
+using BoundedMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStateSize, kMaxStateSize>;
+using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStateSize, 1>;
+
+// Measured against the two standard deviations, so that small parts beside large ones count too.
+bool is_symmetric(const Eigen::Ref<const Eigen::MatrixXd>& cov) {
+  constexpr double kRounding = 1e-6;  // what float32 on the wire leaves
+  for (Eigen::Index row = 0; row < cov.rows(); ++row) {
+    for (Eigen::Index column = 0; column < row; ++column) {
+      const double scale = std::sqrt(cov(row, row) * cov(column, column));
+      if (std::abs(cov(row, column) - cov(column, row)) > kRounding * scale) return false;
+    }
   }
-  return 0.5 * (low + high);
+  return true;
+}
+
+// Probability that a chi-square variable exceeds `value`: the closed sums for whole degrees of
+// freedom, sum of h^i / i! (even) or h^(i - 1/2) / (i - 1/2)! (odd), times exp(-h), with h =
+// value/2.
+double chi_square_tail(int degrees_of_freedom, double value) {
+  const double half = 0.5 * value;
+  const bool is_odd = degrees_of_freedom % 2 == 1;
+  double tail = is_odd ? std::erfc(std::sqrt(half)) : 0.0;
+  for (double power = is_odd ? 0.5 : 0.0; power < 0.5 * degrees_of_freedom - 0.25; power += 1.0) {
+    tail += std::exp(power * std::log(half) - half - std::lgamma(power + 1.0));
+  }
+  return tail;
 }
 
 }  // namespace
 
+bool is_covariance(const Eigen::Ref<const Eigen::MatrixXd>& cov) {
+  constexpr double kSmallestVar = 1e-12;
+  constexpr double kLargestVar = 1e12;
+  if (cov.rows() == 0 || cov.rows() != cov.cols() || !cov.allFinite()) return false;
+  TEAMSIGHT_EXPECT(cov.rows() <= kMaxStateSize);
+  const auto vars = cov.diagonal();
+  if (vars.minCoeff() < kSmallestVar || vars.maxCoeff() > kLargestVar) return false;
+  return is_symmetric(cov) && Eigen::LLT<BoundedMatrix>(cov).info() == Eigen::Success;
+}
+
+double squared_mahalanobis(const Eigen::Ref<const Eigen::VectorXd>& difference,
+                           const Eigen::Ref<const Eigen::MatrixXd>& cov) {
+  TEAMSIGHT_EXPECT(difference.size() == cov.rows() && cov.rows() <= kMaxStateSize);
+  BoundedVector whitened = difference;
+  Eigen::LLT<BoundedMatrix>(cov).matrixL().solveInPlace(whitened);
+  return whitened.squaredNorm();
+}
+
 double chi_square_gate(int degrees_of_freedom, double probability) {
   TEAMSIGHT_EXPECT(degrees_of_freedom >= 1 && probability > 0.0 && probability < 1.0);
-  if (degrees_of_freedom == 1) return std::pow(normal_quantile(0.5 * (1.0 + probability)), 2);
-  if (degrees_of_freedom == 2) return -2.0 * std::log1p(-probability);
-  const double spread = 2.0 / (9.0 * degrees_of_freedom);
-  return degrees_of_freedom *
-         std::pow(1.0 - spread + normal_quantile(probability) * std::sqrt(spread), 3);
+  double low = 0.0;
+  double high = degrees_of_freedom;
+  while (chi_square_tail(degrees_of_freedom, high) > 1.0 - probability) high *= 2.0;
+  for (int i = 0; i < 60; ++i) {  // by halving: called once per gate
+    const double middle = 0.5 * (low + high);
+    (chi_square_tail(degrees_of_freedom, middle) > 1.0 - probability ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 }  // namespace teamsight

@@ -5,8 +5,13 @@
 
 namespace teamsight {
 
+/// The largest state whose covariance these functions take; they never allocate.
+inline constexpr int kMaxStateSize = 16;
+
 /// Whether `cov` is finite, symmetric and positive definite, and no wider or narrower than a
 /// number in this domain can be (standard deviations between 1e-6 and 1e6).
+///
+/// @param cov  any matrix; only one that is square and larger than kMaxStateSize is a mistake
 [[nodiscard]] bool is_covariance(const Eigen::Ref<const Eigen::MatrixXd>& cov);
 
 /// Squared Mahalanobis distance of `difference` under `cov`; dimensionless.
@@ -17,9 +22,10 @@ namespace teamsight {
 
 /// The value that a chi-square variable stays below with the given probability.
 ///
-/// Wilson and Hilferty's approximation, good to 1 % for `probability` in 0.9 ... 0.9999.
+/// Exact to rounding: halves an interval on the closed form for whole degrees of freedom.
 ///
-/// @param degrees_of_freedom at least 1
+/// @param degrees_of_freedom  at least 1
+/// @param probability         above 0 and below 1
 [[nodiscard]] double chi_square_gate(int degrees_of_freedom, double probability);
 
 }  // namespace teamsight

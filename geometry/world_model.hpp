@@ -17,15 +17,16 @@ namespace teamsight {
 
 /// The ball, or one of several.
 struct WorldBall {
-  std::uint32_t track{0};  ///< stable while the track lives, also when another fusion takes the lead
-  Point3<Field> p_FB;      ///< ball centre; m
-  Velocity3<Field> v_FB;   ///< m/s
+  std::uint32_t track{
+      0};                 ///< stable while the track lives, also when another fusion takes the lead
+  Point3<Field> p_FB;     ///< ball centre; m
+  Velocity3<Field> v_FB;  ///< m/s
   Eigen::Matrix3d cov_p{Eigen::Matrix3d::Identity()};  ///< of p_FB; m^2
   Eigen::Matrix3d cov_v{Eigen::Matrix3d::Identity()};  ///< of v_FB; (m/s)^2
-  double existence{0.0};          ///< probability that there is such a ball, in [0, 1]
-  Duration age{0};                ///< since the exposure of the last observation in it
-  RobotMask supporters{0};        ///< whose observations are in it
-  RobotMask rejected{0};          ///< who sees a ball that does not fit this one
+  double existence{0.0};    ///< probability that there is such a ball, in [0, 1]
+  Duration age{0};          ///< since the exposure of the last observation in it
+  RobotMask supporters{0};  ///< whose observations are in it
+  RobotMask rejected{0};    ///< who sees a ball that does not fit this one
 
   friend bool operator==(const WorldBall&, const WorldBall&) = default;
 };
@@ -33,12 +34,12 @@ struct WorldBall {
 /// Why a robot's observations are not used.
 enum class Quarantine : std::uint8_t {
   kNone,
-  kNoPosture,   ///< it does not know where it is
-  kBiased,      ///< what it sees lies aside from what the others see
-  kMirrored,    ///< it stands on the other half
-  kKidnapped,   ///< its posture jumped
-  kBabbling,    ///< too many or contradictory samples
-  kDuplicateId, ///< two processes speak under its id
+  kNoPosture,    ///< it does not know where it is
+  kBiased,       ///< what it sees lies aside from what the others see
+  kMirrored,     ///< it stands on the other half
+  kKidnapped,    ///< its posture jumped
+  kBabbling,     ///< too many or contradictory samples
+  kDuplicateId,  ///< two processes speak under its id
 };
 
 /// A robot of the own team.
@@ -46,11 +47,11 @@ struct WorldTeammate {
   RobotId robot{kNobody};
   PostureStatus status{PostureStatus::kLost};
   Pose<Field, Robot> X_FR;
-  Velocity<Field> v_FR;  ///< m/s
+  Velocity<Field> v_FR;                              ///< m/s
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< of (x, y, theta); m, m, rad
-  double half_log_odds{0.0};  ///< the robot's own, see PostureEstimate
-  Duration age{0};            ///< since its last frame's exposure
-  double trust{0.0};          ///< in [0, 1]
+  double half_log_odds{0.0};                         ///< the robot's own, see PostureEstimate
+  Duration age{0};                                   ///< since its last frame's exposure
+  double trust{0.0};                                 ///< in [0, 1]
   Quarantine quarantine{Quarantine::kNone};
   bool sees_ball{false};
 
@@ -59,13 +60,13 @@ struct WorldTeammate {
 
 /// Anything else that stands on the field: opponents, referees, people.
 struct WorldObstacle {
-  std::uint32_t track{0};  ///< stable while the track lives
-  Point<Field> p_FO;       ///< centre; m
-  Velocity<Field> v_FO;    ///< m/s
+  std::uint32_t track{0};                              ///< stable while the track lives
+  Point<Field> p_FO;                                   ///< centre; m
+  Velocity<Field> v_FO;                                ///< m/s
   Eigen::Matrix2d cov_p{Eigen::Matrix2d::Identity()};  ///< m^2
-  double radius{0.0};      ///< m
-  double existence{0.0};   ///< in [0, 1]
-  Duration age{0};         ///< since the exposure of the last observation in it
+  double radius{0.0};                                  ///< m
+  double existence{0.0};                               ///< in [0, 1]
+  Duration age{0};  ///< since the exposure of the last observation in it
   RobotMask supporters{0};
 
   friend bool operator==(const WorldObstacle&, const WorldObstacle&) = default;
