@@ -1,0 +1,128 @@
+// monitor/web/src/side_view.ts: beside the field: the ball in numbers, processes, events, who leads.
+import type { MonitorEvent, MonitorUpdate } from "./generated/monitor_pb";
+import { byId, html, set, write } from "./dom";
+import * as format from "./format";
+import type { BallMark, Scene } from "./scene";
+
+const LONGEST_LOG = 200;
+
+function figure(parent: Element, name: string): HTMLElement {
+  const box = html("div", "figure", parent);
+  html("span", "figure-name", box, name);
+  return html("span", "figure-value", box, format.UNKNOWN);
+}
+
+/** The ball in numbers: always the same boxes, with dashes where nothing is known. */
+export class BallCard {
+  private readonly title: HTMLElement;
+  private readonly values: Record<"speed" | "height" | "place" | "age" | "existence", HTMLElement>;
+  private readonly bar: HTMLElement;
+  private readonly seenBy: HTMLElement;
+  private readonly againstBy: HTMLElement;
+
+  constructor(private readonly root: HTMLElement) {
+    this.title = html("h2", "", root, "Ball");
+    const figures = html("div", "figures", root);
+    this.values = {
+      speed: figure(figures, "Speed"),
+      height: figure(figures, "Height"),
+      age: figure(figures, "Age"),
+      place: figure(figures, "Place"),
+      existence: figure(figures, "Existence"),
+    };
+    this.bar = html("div", "bar-fill", html("div", "bar-track", this.values.existence.parentElement ?? figures));
+    const seen = html("div", "seen", root);
+    html("span", "figure-name", seen, "Seen by");
+    html("span", "figure-name", seen, "Contradicted by");
+    this.seenBy = html("span", "chips", seen);
+    this.againstBy = html("span", "chips against", seen);
+  }
+
+  draw(scene: Scene): void {
+    const ball = scene.balls[0];
+    set(this.root, { "data-freshness": ball?.freshness ?? "lost" });
+    write(this.title, scene.balls.length > 1 ? `Ball (and ${scene.balls.length - 1} more)` : "Ball");
+    write(this.values.speed, ball ? `${ball.speed.toFixed(1)} m/s` : format.UNKNOWN);
+    write(this.values.height, ball ? format.metres(ball.z) : format.UNKNOWN);
+    write(this.values.age, ball ? format.age(ball.ageMs) : format.UNKNOWN);
+    write(this.values.place, ball ? `${ball.x.toFixed(1)}, ${ball.y.toFixed(1)} m` : format.UNKNOWN);
+    write(this.values.existence, ball ? format.percent(ball.existence) : format.UNKNOWN);
+    this.bar.style.width = `${(ball?.existence ?? 0) * 100}%`;
+    this.chips(this.seenBy, ball, ball?.supporters ?? []);
+    this.chips(this.againstBy, ball, ball?.rejected ?? []);
+  }
+
+  private chips(parent: HTMLElement, ball: BallMark | undefined, robots: number[]): void {
+    const text = ball ? robots.join(" ") : "";
+    if (parent.dataset["robots"] === text) return;
+    parent.dataset["robots"] = text;
+    parent.replaceChildren();
+    if (robots.length === 0) html("span", "none", parent, format.UNKNOWN);
+    for (const robot of robots) html("span", "chip", parent, String(robot));
+  }
+}
+
+/** One line per process that is no agent; agents have their table. */
+export class ProcessCard {
+  private shown = "";
+
+  constructor(private readonly root: HTMLElement) {
+    html("h2", "", root, "Processes");
+  }
+
+  draw(update: MonitorUpdate): void {
+    const lines = update.processes.map((process) => ({
+      healthy: process.healthy,
+      name: process.process,
+      title: process.message,
+      load: `${format.percent(process.cpuLoad)}`,
+      step: `${format.latency(process.stepMsP95)} ms`,
+    }));
+    const dropped = update.rejected.map((counter) => `${counter.name} ${format.count(counter.value)}`);
+    const text = JSON.stringify([lines, dropped]);
+    if (text === this.shown) return;
+    this.shown = text;
+    this.root.replaceChildren();
+    html("h2", "", this.root, "Processes");
+    for (const line of lines) {
+      const row = html("div", `process ${line.healthy ? "well" : "ill"}`, this.root);
+      row.title = line.title;
+      html("span", "dot", row);
+      html("span", "process-name", row, line.name);
+      html("span", "process-number", row, line.step);
+      html("span", "process-number", row, line.load);
+    }
+    if (lines.length === 0) html("div", "none", this.root, "none heard");
+    if (dropped.length > 0) html("div", "dropped", this.root, `Dropped here: ${dropped.join(", ")}`);
+  }
+}
+
+/** The newest event on top. */
+export class EventLog {
+  constructor(private readonly root: HTMLElement) {}
+
+  clear(): void {
+    this.root.replaceChildren();
+  }
+
+  /** @param nowNs  the station's clock when they were sent, to tell the time of day */
+  add(events: MonitorEvent[], nowNs: bigint): void {
+    for (const event of events) {
+      const line = document.createElement("li");
+      line.className = event.level;
+      html("time", "", line, format.timeOfDay(new Date(Date.now() - Number(nowNs - event.stampNs) / 1e6)));
+      html("span", "", line, event.text);
+      this.root.prepend(line);
+    }
+    while (this.root.childElementCount > LONGEST_LOG) this.root.lastElementChild?.remove();
+  }
+}
+
+/** Which fusion's picture this is. */
+export function drawLead(update: MonitorUpdate, sinceUpdateMs: number): void {
+  const root = byId("lead");
+  const world = update.world;
+  const ageMs = update.worldAgeMs + sinceUpdateMs;
+  set(root, { "data-freshness": world ? format.freshness(ageMs) : "lost" });
+  write(root, world ? `Fusion ${world.sample?.robotId ?? 0} leads · ${format.age(Math.round(ageMs / 10) * 10)}` : "No fusion leads");
+}

@@ -1,0 +1,153 @@
+// monitor/web/src/table_view.ts: one row per robot. Columns keep their width, rows their height.
+import type { MonitorUpdate, RobotRow } from "./generated/monitor_pb";
+import { PostureStatus, type WorldTeammate } from "./generated/recording_pb";
+import { html, set, write } from "./dom";
+import * as format from "./format";
+
+/** What a cell says and how it looks. */
+export interface Cell {
+  text: string;
+  tone: "good" | "warn" | "bad" | "dim" | "";
+  title?: string;
+}
+
+interface Column {
+  head: string;
+  width: number;
+  numeric?: boolean;
+  cell(row: RobotRow, mate: WorldTeammate | undefined, sinceUpdateMs: number): Cell;
+}
+
+const cell = (text: string, tone: Cell["tone"] = "", title?: string): Cell => (title ? { text, tone, title } : { text, tone });
+const DASH = cell(format.UNKNOWN, "dim");
+
+export function linkCell(row: RobotRow, sinceUpdateMs: number): Cell {
+  const ageMs = row.ageMs + sinceUpdateMs;
+  if (row.duplicate) return cell("id used twice", "bad", "Two processes speak under this id");
+  if (!row.alive) return cell(`lost ${format.age(ageMs)}`, "bad");
+  const tones = { fresh: "good", late: "warn", lost: "bad" } as const;
+  return cell(format.age(ageMs), tones[format.freshness(ageMs)]);
+}
+
+export function postureCell(row: RobotRow): Cell {
+  const report = row.state?.posture;
+  if (!report) return DASH;
+  if (report.status === PostureStatus.POSTURE_LOST) return cell("lost", "bad", `${report.linePoints} line points`);
+  const [xx = NaN, , , yy = NaN] = report.posture?.cov ?? [];
+  const sigma = `±${(Math.sqrt(Math.max(xx, yy)) * 100).toFixed(0)} cm`;
+  const title = `${format.percent(report.inlierRatio)} of ${report.linePoints} line points fit`;
+  return report.status === PostureStatus.POSTURE_OK
+    ? cell(`ok ${sigma}`, "good", title)
+    : cell(`ambiguous ${sigma}`, "warn", title);
+}
+
+export function halfCell(row: RobotRow): Cell {
+  const report = row.state?.posture;
+  if (!report || report.status === PostureStatus.POSTURE_LOST) return DASH;
+  const right = format.halfProbability(report.halfLogOdds);
+  const title = "Probability that it is not on the mirrored place, by its own evidence";
+  return cell(format.percent(right), right > 0.9 ? "good" : right < 0.5 ? "bad" : "warn", title);
+}
+
+export function cameraCell(row: RobotRow): Cell {
+  if (!row.state) return DASH;
+  if (row.state.cameraLost) return cell("lost", "bad");
+  const frameAge = row.agent && row.agent.frameAgeMs >= 0 ? `newest frame ${format.age(row.agent.frameAgeMs)} old` : undefined;
+  return cell(`${row.state.frameRateHz.toFixed(0)} Hz`, "", frameAge);
+}
+
+export function trustCell(row: RobotRow, mate: WorldTeammate | undefined): Cell {
+  const trust = mate?.trust ?? row.explained?.trust;
+  if (trust === undefined) return DASH;
+  const why = format.quarantine(mate?.quarantine ?? row.explained?.quarantine ?? 0);
+  return why ? cell(why, "bad") : cell(format.percent(trust), trust > 0.5 ? "good" : "warn");
+}
+
+/** What the fusion did not use, by reason. */
+export function rejectedCell(row: RobotRow): Cell {
+  const why = row.explained;
+  if (!why) return DASH;
+  const reasons: [string, number][] = [
+    ["gate", why.rejectedGate],
+    ["late", why.rejectedLate],
+    ["twice", why.rejectedDuplicate],
+    ["posture", why.rejectedPosture],
+  ];
+  const some = reasons.filter(([, n]) => n > 0).sort((a, b) => b[1] - a[1]);
+  const first = some[0];
+  if (!first) return cell("0", "dim");
+  const all = some.map(([name, n]) => `${name} ${n}`).join(", ");
+  return cell(`${format.count(first[1])} ${first[0]}${some.length > 1 ? " +" : ""}`, "", `${all}; accepted ${why.accepted}`);
+}
+
+const COLUMNS: Column[] = [
+  { head: "Robot", width: 5.5, cell: (row) => cell(String(row.robotId)) },
+  { head: "Heard", width: 9, cell: (row, _mate, since) => linkCell(row, since) },
+  { head: "Rate", width: 6.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
+  { head: "Loss", width: 6, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
+  { head: "Latency", width: 10, numeric: true, cell: latencyCell },
+  { head: "Posture", width: 14, cell: (row) => postureCell(row) },
+  { head: "Half", width: 6.5, numeric: true, cell: (row) => halfCell(row) },
+  { head: "Ball", width: 6.5, cell: ballCell },
+  { head: "Camera", width: 7.5, numeric: true, cell: (row) => cameraCell(row) },
+  { head: "Trust", width: 10, cell: (row, mate) => trustCell(row, mate) },
+  { head: "Not used", width: 9, cell: (row) => rejectedCell(row) },
+  { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "") : DASH) },
+  { head: "Version", width: 6.5, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, "dim") : DASH) },
+];
+
+function latencyCell(row: RobotRow): Cell {
+  if (row.latencyP50Ms < 0) return cell(format.UNKNOWN, "dim", "Its clock cannot be compared with the station's");
+  const tone = row.latencyP95Ms > 200 ? "bad" : row.latencyP95Ms > 100 ? "warn" : "";
+  return cell(`${format.latency(row.latencyP50Ms)} / ${format.latency(row.latencyP95Ms)} ms`, tone, "Exposure to arrival, half and 95 % of the frames");
+}
+
+function ballCell(row: RobotRow): Cell {
+  if (!row.state) return DASH;
+  if (row.state.hasBall) return cell("has it", "good");
+  return row.state.seesBall ? cell("sees it", "good") : DASH;
+}
+
+/** Rows that are always there, so that nothing jumps when a robot joins. */
+const LEAST_ROWS = 5;
+
+export class TableView {
+  private readonly body: HTMLTableSectionElement;
+
+  constructor(table: HTMLElement) {
+    const group = html("colgroup", "", table);
+    const total = COLUMNS.reduce((sum, column) => sum + column.width, 0);
+    for (const column of COLUMNS) html("col", "", group).style.width = `${(100 * column.width) / total}%`;
+    const head = html("tr", "", html("thead", "", table));
+    for (const column of COLUMNS) html("th", column.numeric ? "numeric" : "", head, column.head);
+    this.body = html("tbody", "", table);
+  }
+
+  draw(update: MonitorUpdate, sinceUpdateMs: number): void {
+    const mates = new Map((update.world?.teammates ?? []).map((mate) => [mate.robotId, mate]));
+    const count = Math.max(update.robots.length, LEAST_ROWS);
+    while (this.body.rows.length < count) this.addRow();
+    while (this.body.rows.length > count) this.body.deleteRow(-1);
+    for (let i = 0; i < count; ++i) {
+      const line = this.body.rows[i];
+      if (line) this.fill(line, update.robots[i], mates, sinceUpdateMs);
+    }
+  }
+
+  private addRow(): void {
+    const line = html("tr", "", this.body);
+    for (const column of COLUMNS) html("span", "", html("td", column.numeric ? "numeric" : "", line));
+  }
+
+  private fill(line: HTMLTableRowElement, row: RobotRow | undefined, mates: Map<number, WorldTeammate>, since: number): void {
+    const state = row ? (row.alive ? format.freshness(row.ageMs + since) : "lost") : "empty";
+    set(line, { class: state, "data-robot": row?.robotId ?? 0 });
+    COLUMNS.forEach((column, index) => {
+      const place = line.cells[index]?.firstElementChild;
+      if (!place) return;
+      const content = row ? column.cell(row, mates.get(row.robotId), since) : cell("");
+      write(place, content.text);
+      set(place, { class: content.tone, title: content.title ?? "" });
+    });
+  }
+}

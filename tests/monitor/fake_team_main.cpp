@@ -1,0 +1,92 @@
+// tests/monitor/fake_team_main.cpp: the process `teamsight-fake-team`: one robot, or one fusion, of
+// the fake team.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "bus/clock.hpp"
+#include "bus/loop.hpp"
+#include "bus/participant.hpp"
+#include "bus/writer.hpp"
+#include "process/meter.hpp"
+#include "process/program.hpp"
+#include "tests/monitor/fake_team.hpp"
+
+namespace teamsight::test {
+namespace {
+
+constexpr Duration kFrame = std::chrono::milliseconds(40);
+constexpr Duration kExposedBefore = std::chrono::milliseconds(27);
+
+/// Says `is_healthy` once a second under the name of a process.
+class Health {
+ public:
+  Health(const bus::Participant& participant, const std::string& process, const ObservationId& id)
+      : writer_(participant),
+        meter_(process, id.robot, id.boot) {}
+
+  void tell() { writer_.write(meter_.report(bus::host_now())); }
+
+ private:
+  bus::Writer<bus::Diagnostics> writer_;
+  process::ProcessMeter meter_;
+};
+
+void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId robot) {
+  ObservationId id{robot, process::draw_boot_id(), 0};
+  bus::Writer<bus::RobotState> states(participant);
+  bus::Writer<bus::Sightings> sightings(participant);
+  Health health(participant, "agent/" + std::to_string(robot), id);
+  loop.every(kFrame, [&]() {
+    ++id.sequence;
+    const HostTime exposure = bus::host_now() - kExposedBefore;
+    states.write(fake_state(id, exposure));
+    sightings.write(fake_sightings(id, exposure));
+  });
+  loop.every(std::chrono::seconds(1), [&]() { health.tell(); });
+  loop.run();
+}
+
+void run_fusion(const bus::Participant& participant, bus::Loop& loop, RobotId host) {
+  ObservationId id{host, process::draw_boot_id(), 0};
+  bus::Writer<WorldModel> worlds(participant, 30);
+  bus::Writer<bus::Explanation> explanations(participant);
+  Health health(participant, "fusion/" + std::to_string(host), id);
+  loop.every(std::chrono::milliseconds(33), [&]() {
+    ++id.sequence;
+    worlds.write(fake_world(id, bus::host_now()));
+  });
+  loop.every(std::chrono::milliseconds(500),
+             [&]() { explanations.write(fake_explanation(id, bus::host_now())); });
+  loop.every(std::chrono::seconds(1), [&]() { health.tell(); });
+  loop.run();
+}
+
+int run(int argc, char** argv) {
+  if (argc != 6) {
+    throw std::runtime_error("usage: teamsight-fake-team robot|fusion ID DOMAIN PROFILE TAG");
+  }
+  const auto robot = static_cast<RobotId>(std::strtoul(argv[2], nullptr, 10));
+  if (robot == kNobody || robot > kFakeRobots) throw std::runtime_error("ID: expected 1 to 5");
+  bus::Loop loop;
+  const auto domain = static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10));
+  const bus::Participant participant = bus::Participant::join({domain, argv[4], argv[5]});
+  std::puts("{\"ready\": true}");
+  std::fflush(stdout);
+  if (std::string(argv[1]) == "fusion") {
+    run_fusion(participant, loop, robot);
+  } else {
+    run_robot(participant, loop, robot);
+  }
+  return process::kDone;
+}
+
+}  // namespace
+}  // namespace teamsight::test
+
+int main(int argc, char** argv) {
+  return teamsight::process::run_program("teamsight-fake-team",
+                                         [&]() { return teamsight::test::run(argc, argv); });
+}
