@@ -127,40 +127,46 @@ void run_round(const Options& options, std::map<std::string_view, PingResult>& r
   }
 }
 
-void report(const Options& options, std::map<std::string_view, PingResult>& results) {
-  const Quantiles bare = quantiles_of(results["cyclone_waitset"].round_trips);
+// One method's figures beside those of the bare Cyclone ping with a waitset.
+void report_method(const Options& options,
+                   std::string_view method,
+                   const PingResult& result,
+                   const Quantiles& bare) {
+  const Quantiles quantiles = quantiles_of(result.round_trips);
+  const double median_ratio = quantiles.median_us / bare.median_us;
+  const double p99_ratio = quantiles.p99_us / bare.p99_us;
   fmt::print(
-      stderr,
-      "round trip between two processes, {} bytes, {} us pause, {}\n{:<18} {} {:>6} {:>8} {:>8}\n",
+      R"({{"bench":"latency","method":"{}","bytes":{},"pause_us":{},"apart":{},{},"lost":{},)"
+      R"("median_over_cyclone_waitset":{:.3f},"p99_over_cyclone_waitset":{:.3f}}})"
+      "\n",
+      method,
       kPingBytes,
       options.pause_us,
-      "",
-      table_head(),
-      "lost",
-      "median x",
-      "p99 x");
+      options.apart,
+      json_members(quantiles),
+      result.lost,
+      median_ratio,
+      p99_ratio);
+  fmt::print(stderr,
+             "{:<18} {} {:>6} {:>8.2f} {:>8.2f}\n",
+             method,
+             table_columns(quantiles),
+             result.lost,
+             median_ratio,
+             p99_ratio);
+}
+
+void report(const Options& options, std::map<std::string_view, PingResult>& results) {
+  const Quantiles bare = quantiles_of(results["cyclone_waitset"].round_trips);
+  fmt::print(stderr,
+             "round trip between two processes, {} bytes, {} us pause, {}\n",
+             kPingBytes,
+             options.pause_us,
+             options.apart ? "on a processor each" : "placed by the system");
+  fmt::print(
+      stderr, "{:<18} {} {:>6} {:>8} {:>8}\n", "", table_head(), "lost", "median x", "p99 x");
   for (const PingMethod& method : kPingMethods) {
-    const PingResult& result = results[method.name];
-    const Quantiles quantiles = quantiles_of(result.round_trips);
-    const double median_ratio = quantiles.median_us / bare.median_us;
-    const double p99_ratio = quantiles.p99_us / bare.p99_us;
-    fmt::print(R"({{"bench":"latency","method":"{}","bytes":{},"pause_us":{},{},"lost":{},)"
-               R"("median_over_cyclone_waitset":{:.3f},"p99_over_cyclone_waitset":{:.3f}}})"
-               "\n",
-               method.name,
-               kPingBytes,
-               options.pause_us,
-               json_members(quantiles),
-               result.lost,
-               median_ratio,
-               p99_ratio);
-    fmt::print(stderr,
-               "{:<18} {} {:>6} {:>8.2f} {:>8.2f}\n",
-               method.name,
-               table_columns(quantiles),
-               result.lost,
-               median_ratio,
-               p99_ratio);
+    report_method(options, method.name, results[method.name], bare);
   }
 }
 
