@@ -4,7 +4,7 @@
 namespace teamsight::process {
 
 std::string default_host_tag(const settings::TeamSettings& team, RobotId robot) {
-  return team.name + "/robot" + std::to_string(robot);
+  return team.name + ".robot" + std::to_string(robot);
 }
 
 bus::DomainSettings team_domain(const settings::TeamSettings& team, const DomainOptions& options) {

@@ -17,7 +17,8 @@ struct DomainOptions {
   std::string host_tag;                      ///< --host-tag: empty = default_host_tag
 };
 
-/// Tells the robots on one computer apart: "<team>/robot<id>".
+/// Tells the robots on one computer apart: "<team>.robot<id>"; the bus takes letters, digits, "_",
+/// "-" and ".".
 [[nodiscard]] std::string default_host_tag(const settings::TeamSettings& team, RobotId robot);
 
 /// The domain between the robots; tagged with the team's name, so that teams never meet.
