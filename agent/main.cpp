@@ -1,6 +1,7 @@
 // agent/main.cpp: the program `teamsight-agent`: one robot's camera onto the bus.
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <future>
 #include <optional>
 #include <sstream>
@@ -94,10 +95,11 @@ struct Setup {
 Setup load(const Options& options) {
   Setup setup;
   setup.robot = settings::load_robot(options.robot);
-  setup.field =
-      settings::load_field(options.field.empty() ? setup.robot.team.field : options.field);
-  setup.camera =
-      settings::load_camera(options.camera.empty() ? setup.robot.camera : options.camera);
+  using Path = std::filesystem::path;
+  const Path field = options.field.empty() ? setup.robot.team.field : Path(options.field);
+  const Path camera = options.camera.empty() ? setup.robot.camera : Path(options.camera);
+  setup.field = settings::load_field(field);
+  setup.camera = settings::load_camera(camera);
   setup.source = parse_source(options.source);
   return setup;
 }

@@ -33,7 +33,7 @@ namespace teamsight::test {
 /// @throws std::runtime_error if the variable is not set
 [[nodiscard]] std::filesystem::path source_path(const std::string& relative);
 
-/// A DDS domain id that no other test process on this machine uses while this one lives.
+/// A DDS domain id that no other test or demo on this machine uses while this one lives.
 ///
 /// Even, in [2, 226]; the next one up is free as well, for a host domain. The same in every call
 /// of one process. Claimed by a lock on a file in the temporary directory, which ends with the

@@ -1,0 +1,95 @@
+// sim/floor_texture.cpp: see floor_texture.hpp.
+#include "sim/floor_texture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace teamsight::sim {
+namespace {
+
+// Share of a square whose middle is `distance` from the middle of a band that is painted. The
+// band's edge is taken as straight and square to the way there: exact along the axes.
+double share_of_band(double distance, double half_width, double square) {
+  return std::clamp((half_width - distance) / square + 0.5, 0.0, 1.0);
+}
+
+double paint_at(const FieldModel& field, const Point<Field>& p_F, double square) {
+  double share = 0.0;
+  if (const auto nearest = nearest_line(field, p_F)) {
+    share = share_of_band(std::abs(nearest->distance), field.line_width / 2.0, square);
+  }
+  for (const FieldSpot& spot : field.spots) {
+    const double distance = (p_F.vector() - spot.centre.vector()).norm();
+    share = std::max(share, share_of_band(distance, spot.radius, square));
+  }
+  return share;
+}
+
+int squares(double length, double square) {
+  return static_cast<int>(std::ceil(length / square));
+}
+
+}  // namespace
+
+FloorTexture::FloorTexture(const FieldModel& field)
+    : min_x_(static_cast<float>(field.centre.x - field.length / 2.0 - field.surround)),
+      min_y_(static_cast<float>(field.centre.y - field.width / 2.0 - field.surround)),
+      max_x_(static_cast<float>(field.centre.x + field.length / 2.0 + field.surround)),
+      max_y_(static_cast<float>(field.centre.y + field.width / 2.0 + field.surround)) {
+  // The finest level's sides are whole multiples of the coarsest squares.
+  const int block = 1 << (kLevels - 1);
+  const double coarsest = kFinest * block;
+  Level finest;
+  finest.columns = block * squares(static_cast<double>(max_x_ - min_x_), coarsest);
+  finest.rows = block * squares(static_cast<double>(max_y_ - min_y_), coarsest);
+  finest.per_metre = static_cast<float>(1.0 / kFinest);
+  finest.paint.resize(static_cast<std::size_t>(finest.columns) *
+                      static_cast<std::size_t>(finest.rows));
+  std::size_t i = 0;
+  for (int row = 0; row < finest.rows; ++row) {
+    for (int column = 0; column < finest.columns; ++column) {
+      const Point<Field> p_F{static_cast<double>(min_x_) + (column + 0.5) * kFinest,
+                             static_cast<double>(min_y_) + (row + 0.5) * kFinest};
+      finest.paint[i++] = static_cast<std::uint8_t>(
+          std::lround(static_cast<double>(kPaint) * paint_at(field, p_F, kFinest)));
+    }
+  }
+  levels_.push_back(std::move(finest));
+  while (levels_.size() < static_cast<std::size_t>(kLevels)) {
+    const Level& fine = levels_.back();
+    Level coarse{fine.columns / 2, fine.rows / 2, fine.per_metre / 2.0F, {}};
+    for (int row = 0; row < coarse.rows; ++row) {
+      for (int column = 0; column < coarse.columns; ++column) {
+        const auto at = [&](int r, int c) {
+          return fine
+              .paint[static_cast<std::size_t>((2 * row + r) * fine.columns + 2 * column + c)];
+        };
+        coarse.paint.push_back(
+            static_cast<std::uint8_t>((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1) + 2) / 4));
+      }
+    }
+    levels_.push_back(std::move(coarse));
+  }
+}
+
+std::uint8_t FloorTexture::at(float x, float y, int level) const {
+  if (x < min_x_ || y < min_y_ || x >= max_x_ || y >= max_y_) {
+    return kBeyond;
+  }
+  const Level& grid = levels_[static_cast<std::size_t>(level)];
+  const float column = std::clamp(
+      (x - min_x_) * grid.per_metre - 0.5F, 0.0F, static_cast<float>(grid.columns) - 1.001F);
+  const float row = std::clamp(
+      (y - min_y_) * grid.per_metre - 0.5F, 0.0F, static_cast<float>(grid.rows) - 1.001F);
+  const int c = static_cast<int>(column);
+  const int r = static_cast<int>(row);
+  const int fx = static_cast<int>(256.0F * (column - static_cast<float>(c)));
+  const int fy = static_cast<int>(256.0F * (row - static_cast<float>(r)));
+  const std::uint8_t* corner =
+      grid.paint.data() + static_cast<std::ptrdiff_t>(r) * grid.columns + c;
+  const int upper = corner[0] * (256 - fx) + corner[1] * fx;
+  const int lower = corner[grid.columns] * (256 - fx) + corner[grid.columns + 1] * fx;
+  return static_cast<std::uint8_t>((upper * (256 - fy) + lower * fy + 32768) >> 16);
+}
+
+}  // namespace teamsight::sim

@@ -1,0 +1,265 @@
+// sim/main.cpp: the program `teamsight-sim`: a match whose cameras are pictures in FIFOs.
+//
+// One process per robot, because each robot's host domain has a tag of its own and a process can
+// only be in one of them; all play the same match from the same seed. The first one tells the
+// truth.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "bus/clock.hpp"
+#include "bus/loop.hpp"
+#include "bus/participant.hpp"
+#include "bus/writer.hpp"
+#include "process/domains.hpp"
+#include "process/program.hpp"
+#include "settings/load.hpp"
+#include "sim/robot_camera.hpp"
+
+namespace teamsight::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Options {
+  std::string match;
+  std::string frames;
+  std::string team;
+  double seconds{0.0};
+  std::optional<std::uint32_t> seed;
+  process::DomainOptions domains;
+};
+
+struct Setup {
+  settings::MatchSettings match;
+  FieldModel field;
+  vision::CameraParameters camera;
+  MatchParameters parameters;
+  HostTime start{};
+};
+
+std::optional<int> parse(Options& options, int argc, const char* const* argv) {
+  CLI::App app(
+      "A simulated match: one omni camera per own robot, drawn into FRAMES/robotN.stream.");
+  app.add_option("--match", options.match, "match file (config/matches)")->required();
+  app.add_option("--frames,--streams", options.frames, "directory for the FIFOs; made if missing")
+      ->required();
+  app.add_option("--team", options.team, "team file instead of the match's");
+  app.add_option("--seconds", options.seconds, "end after so long; 0: never")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--seed", options.seed, "instead of the match's");
+  app.add_option("--team-domain", options.domains.team_domain, "DDS domain instead of the team's")
+      ->check(CLI::Range(0, 229));
+  app.add_option("--host-tag", options.domains.host_tag, "tag of the domain that gets the truth");
+  return process::parse_command_line(app, argc, argv);
+}
+
+Setup load(const Options& options) {
+  Setup setup;
+  setup.match = settings::load_match(options.match);
+  if (!options.team.empty()) {
+    setup.match.team = settings::load_team(options.team);
+  }
+  setup.field = settings::load_field(setup.match.field);
+  setup.camera = settings::load_camera(setup.match.camera);
+  const vision::PixelFormat format = setup.camera.format;
+  if ((format != vision::PixelFormat::kYuyv && format != vision::PixelFormat::kUyvy) ||
+      setup.camera.width_px % 2 != 0) {
+    throw std::runtime_error(setup.match.camera.string() +
+                             ": format: found another one, expected YUYV or UYVY of even width "
+                             "for a simulated camera");
+  }
+  setup.parameters.seed = options.seed.value_or(setup.match.seed);
+  setup.parameters.own = setup.match.robots;
+  setup.parameters.opponents = setup.match.opponents;
+  if (setup.match.team.has_value()) {
+    setup.parameters.ball_radius = setup.match.team->ball_radius;
+    setup.parameters.robot_radius = setup.match.team->robot_radius;
+  }
+  setup.start = bus::host_now();
+  return setup;
+}
+
+void end_after(bus::Loop& loop, HostTime start, double seconds) {
+  if (seconds > 0.0) {
+    loop.every(20ms, [&loop, start, seconds] {
+      if (to_seconds(bus::host_now() - start) >= seconds) {
+        loop.stop();
+      }
+    });
+  }
+}
+
+// A robot's odometry on its own domain, while there is a team.
+class Drive {
+ public:
+  Drive(const settings::TeamSettings& team, const process::DomainOptions& domains, RobotId robot)
+      : host_(bus::Participant::join(
+            process::host_domain(team, domains, process::default_host_tag(team, robot)))),
+        writer_(host_),
+        id_{robot, process::draw_boot_id(), 0} {}
+
+  void publish(const RobotCamera::Count& count) {
+    const WheelParameters wheels;
+    ++id_.sequence;
+    writer_.write({id_,
+                   stamp_of(count.stamp),
+                   count.X_DR,
+                   count.v_R,
+                   count.omega,
+                   wheels.sigma_v,
+                   wheels.sigma_omega,
+                   false});
+  }
+
+ private:
+  bus::Participant host_;
+  bus::Writer<bus::Odometry> writer_;
+  ObservationId id_;
+};
+
+int play_robot(const Options& options, const Setup& setup, std::size_t player) {
+  const RobotId robot = setup.parameters.own.at(player);
+  FramePipe pipe(std::filesystem::path(options.frames) /
+                 ("robot" + std::to_string(robot) + ".stream"));
+  const RenderParameters look{setup.parameters.ball_radius,
+                              setup.parameters.robot_radius,
+                              RenderParameters{}.robot_height,
+                              setup.match.pixel_noise_sigma};
+  // Exposures are spread over the frame period, so that the drawing is too.
+  const double phase = static_cast<double>(player) / static_cast<double>(setup.match.robots.size());
+  RobotCamera camera(player,
+                     {setup.start, setup.match.frame_rate_hz, phase},
+                     Match(setup.parameters, setup.field),
+                     Renderer(setup.camera, setup.field, look),
+                     pipe);
+  std::optional<Drive> drive;
+  if (setup.match.team.has_value()) {
+    drive.emplace(*setup.match.team, options.domains, robot);
+  }
+  bus::Loop loop;
+  loop.every(2ms, [&] { camera.tick(bus::host_now()); });
+  loop.every(10ms, [&] {
+    if (drive.has_value()) {
+      drive->publish(camera.count(bus::host_now()));
+    }
+  });
+  end_after(loop, setup.start, options.seconds);
+  loop.run();
+  return process::kDone;
+}
+
+bus::Truth truth_of(const MatchState& state, const ObservationId& id, HostTime stamp) {
+  bus::Truth truth{id, stamp_of(stamp), state.p_FB, state.v_FB, {}};
+  for (const Player& player : state.players) {
+    truth.robots.push_back({player.number, player.X_FR, player.v_FR});
+  }
+  return truth;
+}
+
+// Robots whose process has ended; the others play on.
+std::size_t count_ended(std::vector<pid_t>& children) {
+  std::size_t ended = 0;
+  for (pid_t& child : children) {
+    if (child > 0 && ::waitpid(child, nullptr, WNOHANG) == child) {
+      child = -1;
+    }
+    if (child < 0) {
+      ++ended;
+    }
+  }
+  return ended;
+}
+
+int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& children) {
+  bus::Loop loop;
+  Match match(setup.parameters, setup.field);
+  std::optional<bus::Participant> host;
+  std::optional<bus::Writer<bus::Truth>> writer;
+  if (setup.match.team.has_value()) {
+    const std::string tag = options.domains.host_tag.empty() ? setup.match.team->name + "/match"
+                                                             : options.domains.host_tag;
+    host = bus::Participant::join(process::host_domain(*setup.match.team, options.domains, tag));
+    writer.emplace(*host);
+  }
+  ObservationId id{kNobody, process::draw_boot_id(), 0};
+  loop.every(10ms, [&] {
+    match.advance_to(to_seconds(bus::host_now() - setup.start));
+    if (writer.has_value()) {
+      ++id.sequence;
+      writer->write(truth_of(match.state(), id, setup.start + from_seconds(match.time())));
+    }
+  });
+  loop.every(100ms, [&] {
+    if (count_ended(children) == children.size()) {
+      loop.stop();
+    }
+  });
+  end_after(loop, setup.start, options.seconds);
+  loop.run();
+  return process::kDone;
+}
+
+// Before any thread or bus: what fork() copies is only memory.
+std::vector<pid_t> start_robots(const Options& options, const Setup& setup) {
+  std::vector<pid_t> children;
+  const pid_t parent = ::getpid();
+  for (std::size_t player = 0; player < setup.match.robots.size(); ++player) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (::getppid() != parent) {
+        ::_exit(process::kDone);
+      }
+      ::_exit(process::run_program("teamsight-sim",
+                                   [&] { return play_robot(options, setup, player); }));
+    }
+    children.push_back(child);
+  }
+  return children;
+}
+
+void end_robots(const std::vector<pid_t>& children) {
+  for (const pid_t child : children) {
+    if (child > 0) {
+      ::kill(child, SIGTERM);
+      ::waitpid(child, nullptr, 0);
+    }
+  }
+}
+
+int run(const Options& options) {
+  const Setup setup = load(options);
+  std::filesystem::create_directories(options.frames);
+  std::vector<pid_t> children = start_robots(options, setup);
+  try {
+    const int code = tell_truth(options, setup, children);
+    end_robots(children);
+    return code;
+  } catch (...) {
+    end_robots(children);
+    throw;
+  }
+}
+
+}  // namespace
+}  // namespace teamsight::sim
+
+int main(int argc, char** argv) {
+  return teamsight::process::run_program("teamsight-sim", [&] {
+    teamsight::sim::Options options;
+    if (const auto code = teamsight::sim::parse(options, argc, argv)) {
+      return *code;
+    }
+    return teamsight::sim::run(options);
+  });
+}

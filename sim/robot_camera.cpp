@@ -1,0 +1,75 @@
+// sim/robot_camera.cpp: see robot_camera.hpp.
+#include "sim/robot_camera.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "geometry/expect.hpp"
+
+namespace teamsight::sim {
+namespace {
+
+constexpr std::uint32_t kWheelSeed = 1000;
+constexpr std::uint32_t kNoiseSeed = 2000;
+
+}  // namespace
+
+RobotCamera::RobotCamera(
+    std::size_t player, const CameraClock& clock, Match match, Renderer renderer, FramePipe& pipe)
+    : player_(player),
+      clock_(clock),
+      match_(std::move(match)),
+      renderer_(std::move(renderer)),
+      pipe_(&pipe),
+      wheels_({}, kWheelSeed + static_cast<std::uint32_t>(player)),
+      noise_(kNoiseSeed + static_cast<std::uint32_t>(player)) {
+  TEAMSIGHT_EXPECT(player < match_.state().players.size());
+}
+
+void RobotCamera::advance_to(HostTime now) {
+  const double seconds = to_seconds(now - clock_.start);
+  while (match_.time() + Match::kStep <= seconds) {
+    match_.advance_to(match_.time() + Match::kStep);
+    wheels_.roll(match_.state().players[player_], Match::kStep);
+  }
+}
+
+void RobotCamera::tick(HostTime now) {
+  pipe_->flush();
+  const double due = to_seconds(now - clock_.start) * clock_.frame_rate_hz - clock_.phase;
+  if (due < static_cast<double>(frame_ + 1)) {
+    return;
+  }
+  frame_ = static_cast<std::uint64_t>(due);  // frames that should have been before now are lost
+  advance_to(now);
+  if (pipe_->is_free()) {
+    look();
+  }
+}
+
+void RobotCamera::look() {
+  const MatchState& state = match_.state();
+  scene_.X_FR = state.players[player_].X_FR;
+  scene_.p_FB = state.p_FB;
+  scene_.others.clear();
+  for (std::size_t i = 0; i < state.players.size(); ++i) {
+    if (i != player_) {
+      scene_.others.push_back(state.players[i].X_FR.origin());
+    }
+  }
+  renderer_.draw(scene_, noise_, picture_);
+  pipe_->send({renderer_.width_px(),
+               renderer_.height_px(),
+               renderer_.format(),
+               clock_.start + from_seconds(match_.time()),
+               frame_},
+              picture_);
+}
+
+RobotCamera::Count RobotCamera::count(HostTime now) {
+  advance_to(now);
+  return {
+      clock_.start + from_seconds(match_.time()), wheels_.X_DR(), wheels_.v_R(), wheels_.omega()};
+}
+
+}  // namespace teamsight::sim

@@ -1,0 +1,65 @@
+// sim/robot_camera.hpp: one simulated robot: its camera into a FIFO, its wheels onto its own
+// domain.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "bus/messages.hpp"
+#include "geometry/time.hpp"
+#include "sim/frame_pipe.hpp"
+#include "sim/match.hpp"
+#include "sim/renderer.hpp"
+#include "sim/wheels.hpp"
+
+namespace teamsight::sim {
+
+/// When the match began and how often this robot's camera exposes.
+struct CameraClock {
+  HostTime start{};
+  double frame_rate_hz{15.0};
+  double phase{0.0};  ///< of the exposures in one frame period, in [0, 1)
+};
+
+/// Plays the match along, draws what the robot sees and counts its wheels.
+class RobotCamera {
+ public:
+  /// @param player  index in the match's players
+  RobotCamera(std::size_t player,
+              const CameraClock& clock,
+              Match match,
+              Renderer renderer,
+              FramePipe& pipe);
+
+  /// Exposes when it is time for it; called every few milliseconds.
+  void tick(HostTime now);
+
+  /// What the wheels have counted.
+  struct Count {
+    HostTime stamp{};
+    Pose<bus::Drive, Robot> X_DR;
+    Velocity<Robot> v_R;  ///< m/s
+    double omega{0.0};    ///< rad/s
+  };
+
+  /// The count at the last step of the match up to now.
+  [[nodiscard]] Count count(HostTime now);
+
+ private:
+  void advance_to(HostTime now);
+  void look();
+
+  std::size_t player_;
+  CameraClock clock_;
+  Match match_;
+  Renderer renderer_;
+  FramePipe* pipe_;
+  Wheels wheels_;
+  std::mt19937 noise_;
+  Scene scene_;
+  std::vector<std::uint8_t> picture_;
+  std::uint64_t frame_{0};
+};
+
+}  // namespace teamsight::sim
