@@ -5,13 +5,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/mirror_command.hpp"
+
 namespace {
 
 constexpr int kBadInput = 2;
 
 /// Adds every subcommand. Each one stores what it returns to the shell in `exit_code`.
-void add_commands(CLI::App& /*app*/, int& /*exit_code*/) {
+void add_commands(CLI::App& app, int& exit_code) {
   // One line per command, in alphabetical order.
+  teamsight::tools::add_mirror_command(app, exit_code);
 }
 
 /// Help and version go to stdout; a usage error is one line on stderr.

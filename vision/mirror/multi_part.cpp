@@ -135,7 +135,9 @@ Result<MultiPartSolution, Failure> solve(const MultiPart& parameters, const Rim&
                                         bracket.apex->second,
                                         boost::math::tools::eps_tolerance<double>(50),
                                         iterations);
-  MultiPartSolution solution{.isometric = frame->isometric, .arc = {}, .A = {}, .B = {}, .C = {}};
+  MultiPartSolution solution;
+  solution.parameters = parameters;
+  solution.isometric = frame->isometric;
   solution.isometric.apex = 0.5 * (low + high);
   solution.A = end_of_isometric(frame->isometric, solution.isometric.apex, 1e-13).value();
   solution.arc = make_arc(solution.A, frame->B.x, std::atan(frame->B.slope));

@@ -27,13 +27,14 @@ struct MultiPart {
 
 /// The closed design. A: end of the isometric part; B: inner edge of the ring; C: the rim.
 struct MultiPartSolution {
+  MultiPart parameters;
   IsometricParameters isometric;
   Arc arc;  ///< from A to B
   Node A;
   Node B;  ///< with the slope of the arc; the ring begins there with slope 0
   Node C;
 
-  /// How often each part of the profile is sampled.
+  /// The three parts, sampled.
   [[nodiscard]] Profile profile() const;
 };
 

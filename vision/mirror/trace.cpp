@@ -11,21 +11,35 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
 
-/// Central difference inside a part, one-sided at its ends; nothing next to the horizon.
+/// The slope in `at` of the parabola through three points.
+double parabola_slope(const FloorSample& at, const FloorSample& b, const FloorSample& c) {
+  const double to_b = b.radius_px - at.radius_px;
+  const double to_c = c.radius_px - at.radius_px;
+  const double slope_b = (*b.distance - *at.distance) / to_b;
+  const double slope_c = (*c.distance - *at.distance) / to_c;
+  return (slope_b * to_c - slope_c * to_b) / (to_c - to_b);
+}
+
+/// From the two nearest samples of the same part; nothing where the part shows less floor.
 std::optional<double> scale_at(const std::vector<FloorSample>& samples, std::size_t i) {
-  const auto is_neighbour = [&](std::size_t k) {
-    return samples[k].part == samples[i].part && samples[k].distance.has_value();
+  const auto is_usable = [&](std::size_t k) {
+    return k < samples.size() && samples[k].part == samples[i].part && samples[k].distance;
   };
-  if (!samples[i].distance) {
+  if (!is_usable(i)) {
     return std::nullopt;
   }
-  const std::size_t low = i > 0 && is_neighbour(i - 1) ? i - 1 : i;
-  const std::size_t high = i + 1 < samples.size() && is_neighbour(i + 1) ? i + 1 : i;
-  if (low == high) {
-    return std::nullopt;
+  const bool has_below = i >= 1 && is_usable(i - 1);
+  const bool has_above = is_usable(i + 1);
+  if (has_below && has_above) {
+    return std::abs(parabola_slope(samples[i], samples[i - 1], samples[i + 1]));
   }
-  return std::abs((*samples[high].distance - *samples[low].distance) /
-                  (samples[high].radius_px - samples[low].radius_px));
+  if (has_above && is_usable(i + 2)) {
+    return std::abs(parabola_slope(samples[i], samples[i + 1], samples[i + 2]));
+  }
+  if (has_below && i >= 2 && is_usable(i - 2)) {
+    return std::abs(parabola_slope(samples[i], samples[i - 1], samples[i - 2]));
+  }
+  return std::nullopt;
 }
 
 /// Between a hidden and a visible sample: the distance at which the clearance vanishes.

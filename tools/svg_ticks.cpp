@@ -1,0 +1,64 @@
+// tools/svg_ticks.cpp: round numbers for axes.
+#include "tools/svg_ticks.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace teamsight::plot {
+namespace {
+
+/// The smallest of 1, 2, 5 times a power of ten that is not less than `least`.
+double round_step(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1.0 - 1e-9)) {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
+
+std::vector<double> decade_ticks(const Axis& axis) {
+  const bool is_wide = axis.high / axis.low > 2000.0;
+  std::vector<double> result;
+  for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
+       power *= 10.0) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * power;
+      const bool is_inside = value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9);
+      if (is_inside && (!is_wide || factor == 1.0)) {
+        result.push_back(value);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> ticks(const Axis& axis, int count) {
+  if (axis.is_logarithmic) {
+    return decade_ticks(axis);
+  }
+  const double step = round_step((axis.high - axis.low) / count);
+  std::vector<double> result;
+  const double first = std::ceil(axis.low / step - 1e-9);
+  for (double k = first; k * step <= axis.high + 1e-9 * step; k += 1.0) {
+    result.push_back(k * step);
+  }
+  return result;
+}
+
+std::string tick_text(double value) {
+  return fmt::format("{:g}", std::abs(value) < 1e-12 ? 0.0 : std::round(value * 1e9) / 1e9);
+}
+
+double along(const Axis& axis, double value) {
+  if (axis.is_logarithmic) {
+    return std::log(value / axis.low) / std::log(axis.high / axis.low);
+  }
+  return (value - axis.low) / (axis.high - axis.low);
+}
+
+}  // namespace teamsight::plot
