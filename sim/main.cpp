@@ -186,7 +186,7 @@ int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& c
   std::optional<bus::Participant> host;
   std::optional<bus::Writer<bus::Truth>> writer;
   if (setup.match.team.has_value()) {
-    const std::string tag = options.domains.host_tag.empty() ? setup.match.team->name + "/match"
+    const std::string tag = options.domains.host_tag.empty() ? setup.match.team->name + ".match"
                                                              : options.domains.host_tag;
     host = bus::Participant::join(process::host_domain(*setup.match.team, options.domains, tag));
     writer.emplace(*host);
