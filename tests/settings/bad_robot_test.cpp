@@ -88,6 +88,13 @@ TEST_F(RobotFile, MatchKeepsTheOrderOfItsRobots) {
   EXPECT_EQ(match.opponents, 5U);
 }
 
+TEST_F(RobotFile, MatchMayNameATeam) {
+  const auto path =
+      folder_.write("match", "field: \"field\" camera: \"eye\" robot: 1 team: \"team\"");
+
+  EXPECT_EQ(load_match(path).team.value().name, "reds");
+}
+
 TEST_F(RobotFile, MatchWithARobotTwiceIsRefused) {
   EXPECT_EQ(complaint_about_match("field: \"field\" camera: \"eye\"\nrobot: 4\nrobot: 4"),
             place("match", ":3:1: key 'robot[1]': found 4 again, expected each robot once"));

@@ -1,4 +1,5 @@
 // tests/settings/config_test.cpp: every file that is shipped under config/ loads.
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -8,7 +9,9 @@
 
 #include <gmock/gmock.h>
 
+#include "bus/profile.hpp"
 #include "settings/load.hpp"
+#include "settings/mirror_file.hpp"
 #include "settings/profile_csv.hpp"
 
 namespace teamsight::settings {
@@ -34,12 +37,12 @@ bool load(const fs::path& path) {
   const std::string folder = path.parent_path().filename();
   const std::string extension = path.extension();
   if (path.filename() == "README.md") return true;
-  if (folder == "dds") return extension == ".xml";            // loaded by tests/bus
-  if (folder == "mirrors") return extension == ".textproto";  // loaded by tests/tools
+  if (folder == "dds" && extension == ".xml") return !bus::load_profile(path, "").empty();
   if (folder == "cameras" && extension == ".csv") return !read_profile(path).empty();
   if (extension != ".textproto") return false;
   if (folder == "fields") return !load_field(path).name.empty();
   if (folder == "cameras") return !load_camera(path).name.empty();
+  if (folder == "mirrors") return !std::isnan(load_mirror(path).pixel_pitch.value_or(0.0));
   if (folder == "robots") return load_robot(path).id != kNobody;
   if (folder == "teams") return !load_team(path).name.empty();
   if (folder == "matches") return !load_match(path).robots.empty();
