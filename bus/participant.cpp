@@ -1,10 +1,12 @@
 // bus/participant.cpp: one domain per id and process, made from its profile; participants in it.
 #include "bus/participant.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <net/if.h>
@@ -61,8 +63,11 @@ JoinFailure failure_of(const char* call, dds_return_t code) {
   const bool none_up = reason.find("failed to find interfaces") != std::string::npos;
   const bool may_pass = none_up || names_an_existing_interface(reason);
   if (reason.empty()) reason = std::string(call) + ": " + dds_strretcode(code);
-  for (char& c : reason) {
-    if (c == '\n') c = ' ';
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  // How the library calls a text that it was given: nobody set that variable.
+  constexpr std::string_view kGivenText = "CYCLONEDDS_URI+0 ";
+  if (const std::size_t at = reason.find(kGivenText); at != std::string::npos) {
+    reason.erase(at, kGivenText.size());
   }
   return {std::move(reason), may_pass};
 }

@@ -5,8 +5,10 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
+#include <system_error>
 
 #include "bus/participant.hpp"
 
@@ -22,12 +24,14 @@ constexpr std::size_t kMaxTag = 64;
 }
 
 std::string read_file(const std::string& path) {
+  if (std::error_code code; std::filesystem::is_directory(path, code)) {
+    fail(path, "is a directory, expected a file");
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, std::string("cannot be read: ") + std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  // A directory opens, but does not read.
-  if (file.bad() || text.empty()) fail(path, "is empty, expected <CycloneDDS> ... </CycloneDDS>");
-  return text;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 // Line breaks stay, so that the library's line numbers are those of the file.
