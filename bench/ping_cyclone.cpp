@@ -3,8 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <fstream>
-#include <sstream>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -48,11 +47,11 @@ struct PingSample {
   teamsight_v1_Sightings wire{};
 };
 
-std::string file_text(const std::string& path) {
-  const std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+// The same configuration as that of bus/, without the log file that the library would leave behind.
+std::string configuration(const std::string& path) {
+  return "file://" + std::filesystem::absolute(path).string() +
+         ",<CycloneDDS><Domain Id=\"any\"><Tracing><OutputFile>/dev/null</OutputFile></Tracing>"
+         "</Domain></CycloneDDS>";
 }
 
 // Participant, writer and reader of one end; a participant hears no writer of its own.
@@ -63,7 +62,7 @@ class Node {
        dds_on_data_available_fn on_data,
        void* argument)
       : sample_(robot_id),
-        domain_(check(dds_create_domain(plan.domain_id, file_text(plan.profile_path).c_str()),
+        domain_(check(dds_create_domain(plan.domain_id, configuration(plan.profile_path).c_str()),
                       "dds_create_domain")) {
     dds_qos_t* const qos = dds_create_qos();
     dds_qset_ignorelocal(qos, DDS_IGNORELOCAL_PARTICIPANT);
