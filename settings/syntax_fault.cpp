@@ -156,6 +156,8 @@ SyntaxFault syntax_fault(const Descriptor& type,
   const KeyTrail trail(std::string_view(text).substr(0, at));
   const Descriptor* here = type_inside(type, trail.open());
   SyntaxFault fault = complaint;
+  fault.found = "what the parser refuses (" +
+                complaint.found.substr(0, complaint.found.find_last_not_of('.') + 1) + ")";
   fault.expected = "protobuf text format";
   for (const Wording& wording : kWordings) {
     std::smatch match;
