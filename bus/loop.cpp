@@ -75,16 +75,12 @@ int make_signal_fd() {
   return opened(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
 }
 
-bool ending_signal_is_pending() noexcept {
-  sigset_t pending;
-  sigpending(&pending);
-  return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
-}
-
-void drain(int descriptor) noexcept {
+/// Reads until there is no more; whether there was something.
+bool drain(int descriptor) noexcept {
   std::array<char, sizeof(signalfd_siginfo)> buffer{};
-  while (::read(descriptor, buffer.data(), buffer.size()) > 0) {
-  }
+  bool something = false;
+  while (::read(descriptor, buffer.data(), buffer.size()) > 0) something = true;
+  return something;
 }
 
 timespec to_timespec(Duration duration) {
@@ -97,10 +93,17 @@ timespec to_timespec(Duration duration) {
 struct Loop::Impl {
   Impl() {
     watch(wake.get(), [this] { drain(wake.get()); });
-    watch(signals.get(), [this] {
-      drain(signals.get());
-      stopped = true;
-    });
+    watch(signals.get(), [this] { look_for_signals(); });
+  }
+
+  // A signal that waits would end the process as soon as it is no longer blocked.
+  ~Impl() { look_for_signals(); }
+
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void look_for_signals() noexcept {
+    if (drain(signals.get())) stopped = true;
   }
 
   void watch(int descriptor, Handler handler) {
@@ -171,7 +174,8 @@ void Loop::stop() noexcept {
 }
 
 bool Loop::keeps_running() const noexcept {
-  return !impl_->stopped && !ending_signal_is_pending();
+  impl_->look_for_signals();
+  return !impl_->stopped;
 }
 
 }  // namespace teamsight::bus

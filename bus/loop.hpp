@@ -11,7 +11,9 @@ namespace teamsight::bus {
 /// Waits with epoll and CLOCK_MONOTONIC timers, so that no step of the wall clock delays it.
 ///
 /// Handlers run one after the other on the thread that calls `run`; they must not throw.
-/// SIGINT and SIGTERM end `run`. Only `stop` may be called from another thread.
+/// SIGINT and SIGTERM end `run`; from its making to its end they are blocked and wait here, so make
+/// it first in `main`: threads made before would still be ended by them. Programs that it starts
+/// inherit the block. Only `stop` may be called from another thread.
 class Loop {
  public:
   Loop();

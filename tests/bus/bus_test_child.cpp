@@ -114,10 +114,34 @@ void meet(const Job& job) {
   loop.run();
 }
 
+// Reads commands, for ever.
+void read_commands(const Job& job) {
+  Loop loop;
+  const Participant participant = Participant::join(job.domain);
+  Reader<Command> reader(participant);
+  loop.on_readable(reader.event_fd(), [&] { reader.take(host_now(), [](const auto&) {}); });
+  loop.run();
+}
+
+// Joins as a process of the team does: for as long as it takes.
+void join_patiently(const Job& job) {
+  Loop loop;
+  bool tried = false;
+  const Participant participant = Participant::join(job.domain, [&] {
+    if (!tried) std::puts("trying");
+    std::fflush(stdout);
+    tried = true;
+    return loop.keeps_running();
+  });
+  std::puts("joined");
+}
+
 // Waits `number` ms inside the library and prints how long it took, in ms.
 void wait_in_library(const Job& job) {
   const Participant participant = Participant::join(job.domain);
   const dds_entity_t waitset = dds_create_waitset(participant.handle());
+  const dds_entity_t never = dds_create_guardcondition(participant.handle());
+  dds_waitset_attach(waitset, never, 0);
   const HostTime start = host_now();
   dds_waitset_wait(waitset, nullptr, 0, DDS_MSECS(job.number));
   std::printf(
@@ -131,6 +155,8 @@ void run(const Job& job) {
   if (job.what == "worlds") return write_worlds(job);
   if (job.what == "events") return write_events(job);
   if (job.what == "meet") return meet(job);
+  if (job.what == "commands") return read_commands(job);
+  if (job.what == "patient") return join_patiently(job);
   if (job.what == "wait") return wait_in_library(job);
   std::fprintf(stderr, "unknown job %s\n", job.what.c_str());
   std::exit(2);

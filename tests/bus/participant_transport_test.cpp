@@ -32,12 +32,15 @@ std::string refusal(const std::string& profile) {
   const TemporaryFile file(profile);
   DomainSettings domain = own_domain();
   domain.profile_path = file.path();
+  ::testing::internal::CaptureStderr();
   try {
     (void)Participant::join(domain);
   } catch (const BusError& error) {
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");  // the reason is said once, by main
     EXPECT_THAT(error.what(), AllOf(HasSubstr(file.path()), Not(HasSubstr("\n"))));
     return error.what();
   }
+  ::testing::internal::GetCapturedStderr();
   return "";
 }
 
