@@ -74,19 +74,39 @@ void Station::note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTim
   watch.boot_before = std::exchange(watch.boot, boot);
 }
 
-void Station::note_silence(RobotId robot, Watch& watch, HostTime now, std::string_view how) {
-  if (!watch.alive) return;
+void Station::note_silence(RobotId robot, Watch& watch, HostTime now) {
+  if (now - watch.heard <= parameters_.silent_after) return;
   watch.alive = false;
-  note(now, Level::kAlarm, robot_name(robot) + std::string(how));
+  if (std::exchange(watch.is_reported_silent, true)) return;
+  note(now, Level::kAlarm, robot_name(robot) + " is silent");
+}
+
+void Station::note_arrival(RobotId robot, Watch& watch, HostTime now) {
+  if (!watch.was_heard) {
+    note(now, Level::kInfo, robot_name(robot) + " joined");
+  } else if (watch.is_reported_silent) {
+    note(now, Level::kInfo, robot_name(robot) + " is back");
+  }
+  watch.was_heard = true;
+  watch.is_reported_silent = false;
+}
+
+void Station::note_camera(RobotId robot,
+                          const Watch& watch,
+                          const bus::RobotState& state,
+                          HostTime now) {
+  const bool lost_before = watch.state && watch.state->camera_lost;
+  if (state.camera_lost == lost_before) return;
+  note(now,
+       state.camera_lost ? Level::kAlarm : Level::kInfo,
+       robot_name(robot) + (state.camera_lost ? ": its camera is lost" : ": its camera is back"));
 }
 
 void Station::hear(const bus::Sample<bus::RobotState>& sample) {
   if (!sample.message) {
     const auto found = robot_of_instance_.find(sample.instance);
-    if (found == robot_of_instance_.end() || sample.presence == bus::Presence::kAlive) return;
-    const bool gone = sample.presence == bus::Presence::kGone;
-    note_silence(
-        found->second, watch_of(found->second), sample.received, gone ? " left" : " is silent");
+    if (found == robot_of_instance_.end()) return;
+    watch_of(found->second).alive = sample.presence == bus::Presence::kAlive;
     return;
   }
   const bus::RobotState& state = *sample.message;
@@ -94,19 +114,9 @@ void Station::hear(const bus::Sample<bus::RobotState>& sample) {
   if (robot_of_instance_.size() < kMaxInstances) robot_of_instance_[sample.instance] = robot;
   Watch& watch = watch_of(robot);
   note_boot(robot, watch, state.id.boot, sample.received);
-  if (!watch.alive) {
-    note(sample.received,
-         Level::kInfo,
-         robot_name(robot) + (watch.was_heard ? " is back" : " joined"));
-  }
-  const bool lost_before = watch.state && watch.state->camera_lost;
-  if (state.camera_lost && !lost_before) {
-    note(sample.received, Level::kAlarm, robot_name(robot) + ": its camera is lost");
-  } else if (!state.camera_lost && lost_before) {
-    note(sample.received, Level::kInfo, robot_name(robot) + ": its camera is back");
-  }
-  watch.alive = true;
-  watch.was_heard = true;
+  note_arrival(robot, watch, sample.received);
+  note_camera(robot, watch, state, sample.received);
+  watch.alive = sample.presence == bus::Presence::kAlive;
   watch.heard = sample.received;
   watch.state = state;
 }
@@ -210,9 +220,7 @@ Update Station::update(HostTime now) {
   update.stamp = now;
   for (auto& [robot, watch] : robots_) {
     if (!watch.was_heard) continue;  // its Sightings came before its RobotState
-    if (now - watch.heard > parameters_.silent_after) {
-      note_silence(robot, watch, now, " is silent");
-    }
+    note_silence(robot, watch, now);
     update.robots.push_back(row_of(robot, watch, now));
   }
   update.world = world_;

@@ -20,8 +20,9 @@ namespace teamsight::monitor {
 
 struct StationParameters {
   Duration window{std::chrono::seconds(5)};  ///< rate, loss and latency are over this long
-  Duration silent_after{
-      std::chrono::seconds(1)};  ///< a robot that says nothing for so long is silent
+  /// A robot that says nothing for so long is reported silent. Longer than a lease, so that a busy
+  /// computer's hiccup shows in the table but does not fill the log.
+  Duration silent_after{std::chrono::milliseconds(600)};
   Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
   Duration duplicate_for{std::chrono::seconds(2)};     ///< how long a shared robot id is remembered
   std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
@@ -53,6 +54,7 @@ class Station {
 
     bool alive{false};
     bool was_heard{false};
+    bool is_reported_silent{false};
     HostTime heard;
     HostTime shared_id_seen;
     std::uint32_t boot{0};
@@ -67,7 +69,9 @@ class Station {
   Watch& watch_of(RobotId robot);
   void note(HostTime stamp, Level level, std::string text);
   void note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now);
-  void note_silence(RobotId robot, Watch& watch, HostTime now, std::string_view how);
+  void note_silence(RobotId robot, Watch& watch, HostTime now);
+  void note_arrival(RobotId robot, Watch& watch, HostTime now);
+  void note_camera(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   void note_quarantines(const WorldModel& world, HostTime now);
   [[nodiscard]] RobotRow row_of(RobotId robot, const Watch& watch, HostTime now) const;
   [[nodiscard]] std::string silence(const Update& update) const;

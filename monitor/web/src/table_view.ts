@@ -82,15 +82,15 @@ export function rejectedCell(row: RobotRow): Cell {
 
 const COLUMNS: Column[] = [
   { head: "Robot", width: 5.5, cell: (row) => cell(String(row.robotId)) },
-  { head: "Heard", width: 9, cell: (row, _mate, since) => linkCell(row, since) },
+  { head: "Heard", width: 8.5, cell: (row, _mate, since) => linkCell(row, since) },
   { head: "Rate", width: 6.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
   { head: "Loss", width: 6, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
   { head: "Latency", width: 10, numeric: true, cell: latencyCell },
-  { head: "Posture", width: 14, cell: (row) => postureCell(row) },
+  { head: "Posture", width: 15.5, cell: (row) => postureCell(row) },
   { head: "Half", width: 6.5, numeric: true, cell: (row) => halfCell(row) },
   { head: "Ball", width: 6.5, cell: ballCell },
   { head: "Camera", width: 7.5, numeric: true, cell: (row) => cameraCell(row) },
-  { head: "Trust", width: 10, cell: (row, mate) => trustCell(row, mate) },
+  { head: "Trust", width: 9, cell: (row, mate) => trustCell(row, mate) },
   { head: "Not used", width: 9, cell: (row) => rejectedCell(row) },
   { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "") : DASH) },
   { head: "Version", width: 6.5, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, "dim") : DASH) },

@@ -1,0 +1,263 @@
+// tests/monitor/station_test.cpp: what the operator is told, from samples and times alone.
+#include "monitor/station.hpp"
+
+#include <chrono>
+
+#include <gmock/gmock.h>
+
+namespace teamsight::monitor {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const HostTime kStart{seconds(100)};
+
+template <class Message>
+bus::Sample<Message> sample_of(const Message& message, HostTime received, std::uint64_t instance) {
+  bus::Sample<Message> sample;
+  sample.message = message;
+  sample.instance = instance;
+  sample.received = received;
+  return sample;
+}
+
+/// One frame of a robot, exposed 30 ms and published 10 ms before it arrived.
+void hear_frame(
+    Station& station, RobotId robot, std::uint32_t sequence, HostTime at, std::uint32_t boot = 1) {
+  bus::RobotState state;
+  state.id = {robot, boot, sequence};
+  state.exposure = stamp_of(at - milliseconds(30));
+  state.published = stamp_of(at - milliseconds(10));
+  station.hear(sample_of(state, at, robot));
+  bus::Sightings sightings;
+  sightings.id = state.id;
+  sightings.exposure = state.exposure;
+  sightings.published = state.published;
+  station.hear(sample_of(sightings, at, robot));
+}
+
+void hear_world(Station& station,
+                RobotId leader,
+                HostTime at,
+                Quarantine quarantine = Quarantine::kNone) {
+  WorldModel world;
+  world.id = {leader, 1, 1};
+  WorldTeammate mate;
+  mate.robot = 1;
+  mate.quarantine = quarantine;
+  world.teammates.push_back(mate);
+  station.hear(sample_of(world, at, 1));
+}
+
+bus::Sample<bus::RobotState> presence_of(bus::Presence presence,
+                                         std::uint64_t instance,
+                                         HostTime at) {
+  bus::Sample<bus::RobotState> sample;
+  sample.presence = presence;
+  sample.instance = instance;
+  sample.received = at;
+  return sample;
+}
+
+auto event_with(const std::string& text) {
+  return Contains(Field("text", &Event::text, HasSubstr(text)));
+}
+
+TEST(Station, SaysThatNothingWasHeardAndWhere) {
+  StationParameters parameters;
+  parameters.where = "domain 7";
+  Station station(parameters);
+
+  const Update update = station.update(kStart);
+
+  EXPECT_THAT(update.silence, HasSubstr("Nothing heard yet on domain 7"));
+  EXPECT_THAT(update.robots, IsEmpty());
+  EXPECT_FALSE(update.world.has_value());
+}
+
+TEST(Station, NamesTheRobotsThatSpeakWithoutAFusion) {
+  Station station({});
+  hear_frame(station, 1, 1, kStart);
+  hear_frame(station, 3, 1, kStart);
+
+  const Update update = station.update(kStart + milliseconds(10));
+
+  EXPECT_THAT(update.silence, HasSubstr("Robots 1, 3 heard, but no fusion"));
+}
+
+TEST(Station, IsNotSilentWhileTheWorldIsFresh) {
+  Station station({});
+  hear_frame(station, 1, 1, kStart);
+  hear_world(station, 1, kStart);
+
+  EXPECT_THAT(station.update(kStart + milliseconds(900)).silence, IsEmpty());
+  EXPECT_THAT(station.update(kStart + milliseconds(1100)).silence, Not(IsEmpty()));
+}
+
+TEST(Station, SaysThatEverySampleWasDropped) {
+  Station station({});
+  bus::ReadCounters counters;
+  counters.rejected[static_cast<std::size_t>(bus::Reject::kBadCovariance)] = 4;
+  station.count("RobotState", counters);
+
+  const Update update = station.update(kStart);
+
+  EXPECT_THAT(update.silence, HasSubstr("RobotState.bad_covariance"));
+  EXPECT_THAT(update.rejected, ElementsAre(bus::Counter{"RobotState.bad_covariance", 4}));
+}
+
+TEST(Station, TellsOnceThatARobotJoined) {
+  Station station({});
+  hear_frame(station, 2, 1, kStart);
+  const Update first = station.update(kStart);
+  hear_frame(station, 2, 2, kStart + milliseconds(40));
+  const Update second = station.update(kStart + milliseconds(40));
+
+  EXPECT_THAT(first.events, event_with("Robot 2 joined"));
+  EXPECT_THAT(second.events, IsEmpty());
+}
+
+TEST(Station, ReportsASilentRobotOnceAndItsReturn) {
+  Station station({});
+  hear_frame(station, 2, 1, kStart);
+  static_cast<void>(station.update(kStart));
+
+  const Update silent = station.update(kStart + milliseconds(700));
+  const Update still_silent = station.update(kStart + milliseconds(800));
+  hear_frame(station, 2, 2, kStart + milliseconds(900));
+  const Update back = station.update(kStart + milliseconds(900));
+
+  EXPECT_THAT(silent.events, event_with("Robot 2 is silent"));
+  EXPECT_FALSE(silent.robots.at(0).alive);
+  EXPECT_EQ(silent.robots.at(0).age, milliseconds(700));
+  EXPECT_THAT(still_silent.events, IsEmpty());
+  EXPECT_THAT(back.events, event_with("Robot 2 is back"));
+  EXPECT_TRUE(back.robots.at(0).alive);
+}
+
+TEST(Station, ShowsALostLeaseAtOnceButLogsItOnlyIfItLasts) {
+  Station station({});
+  hear_frame(station, 2, 1, kStart);
+  static_cast<void>(station.update(kStart));
+  station.hear(presence_of(bus::Presence::kSilent, 2, kStart + milliseconds(210)));
+
+  const Update update = station.update(kStart + milliseconds(220));
+
+  EXPECT_FALSE(update.robots.at(0).alive);
+  EXPECT_THAT(update.events, IsEmpty());
+}
+
+TEST(Station, KnowsARestartFromTwoProcessesUnderOneId) {
+  Station restarted({});
+  hear_frame(restarted, 2, 7, kStart, 11);
+  hear_frame(restarted, 2, 1, kStart + seconds(3), 12);
+  Station shared({});
+  hear_frame(shared, 2, 7, kStart, 11);
+  hear_frame(shared, 2, 1, kStart + milliseconds(20), 12);
+  hear_frame(shared, 2, 8, kStart + milliseconds(40), 11);
+
+  const Update after_restart = restarted.update(kStart + seconds(3));
+  const Update while_shared = shared.update(kStart + milliseconds(40));
+  const Update later = shared.update(kStart + seconds(3));
+
+  EXPECT_THAT(after_restart.events, event_with("started again"));
+  EXPECT_FALSE(after_restart.robots.at(0).duplicate);
+  EXPECT_THAT(while_shared.events, event_with("two processes speak under this id"));
+  EXPECT_TRUE(while_shared.robots.at(0).duplicate);
+  EXPECT_FALSE(later.robots.at(0).duplicate);
+}
+
+TEST(Station, TellsThatACameraIsLostAndBack) {
+  Station station({});
+  bus::RobotState state;
+  state.id = {3, 1, 1};
+  state.camera_lost = true;
+  station.hear(sample_of(state, kStart, 3));
+  const Update lost = station.update(kStart);
+  state.camera_lost = false;
+  station.hear(sample_of(state, kStart + milliseconds(40), 3));
+  const Update back = station.update(kStart + milliseconds(40));
+
+  EXPECT_THAT(lost.events, event_with("Robot 3: its camera is lost"));
+  EXPECT_THAT(back.events, event_with("Robot 3: its camera is back"));
+}
+
+TEST(Station, TellsWhichFusionLeadsAndWhoTookOver) {
+  Station station({});
+  hear_world(station, 3, kStart);
+  const Update first = station.update(kStart);
+  hear_world(station, 1, kStart + milliseconds(300));
+  const Update second = station.update(kStart + milliseconds(310));
+
+  EXPECT_THAT(first.events, event_with("The fusion of robot 3 leads"));
+  EXPECT_THAT(second.events, event_with("robot 1 took over from that of robot 3"));
+  EXPECT_EQ(second.world_age, milliseconds(10));
+}
+
+TEST(Station, TellsTheReasonOfAQuarantine) {
+  Station station({});
+  hear_frame(station, 1, 1, kStart);
+  hear_world(station, 3, kStart, Quarantine::kMirrored);
+  const Update taken = station.update(kStart);
+  hear_world(station, 3, kStart + milliseconds(40), Quarantine::kNone);
+  const Update released = station.update(kStart + milliseconds(40));
+
+  EXPECT_THAT(taken.events, event_with("Robot 1 is in quarantine: it stands on the other half"));
+  EXPECT_THAT(released.events, event_with("Robot 1 is trusted again"));
+}
+
+TEST(Station, KeepsDiagnosticsOfAgentsWithTheirRobotAndOthersApart) {
+  Station station({});
+  hear_frame(station, 2, 1, kStart);
+  bus::Diagnostics agent;
+  agent.process = "agent/2";
+  agent.id = {2, 1, 1};
+  bus::Diagnostics fusion;
+  fusion.process = "fusion/2";
+  fusion.id = {2, 5, 1};
+  fusion.healthy = false;
+  fusion.message = "no clock of robot 1";
+  station.hear(sample_of(agent, kStart, 1));
+  station.hear(sample_of(fusion, kStart, 2));
+
+  const Update update = station.update(kStart);
+
+  EXPECT_EQ(update.robots.at(0).agent, agent);
+  EXPECT_THAT(update.processes, ElementsAre(fusion));
+  EXPECT_THAT(update.events, event_with("fusion/2: no clock of robot 1"));
+}
+
+TEST(Station, ForgetsTheTruthOfAMatchThatEnded) {
+  Station station({});
+  bus::Truth truth;
+  truth.id = {kNobody, 1, 1};
+  station.hear(sample_of(truth, kStart, 1));
+
+  EXPECT_EQ(station.update(kStart + milliseconds(100)).truth, truth);
+  EXPECT_FALSE(station.update(kStart + seconds(2)).truth.has_value());
+}
+
+TEST(Station, DoesNotGrowWithoutBoundFromManyProcessNames) {
+  Station station({});
+  for (int i = 0; i < 1000; ++i) {
+    bus::Diagnostics diagnostics;
+    diagnostics.process = "stranger/" + std::to_string(i);
+    diagnostics.healthy = false;
+    station.hear(sample_of(diagnostics, kStart, 1));
+  }
+
+  const Update update = station.update(kStart);
+
+  EXPECT_LE(update.processes.size(), 64U);
+  EXPECT_LE(update.events.size(), 256U);
+}
+
+}  // namespace
+}  // namespace teamsight::monitor

@@ -1,0 +1,301 @@
+// tests/monitor/web_server_test.cpp: the server against a client that may be slow, foreign or mad.
+#include "monitor/web_server.hpp"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <gmock/gmock.h>
+
+#include "tests/support/process.hpp"
+
+namespace teamsight::monitor {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr auto kBound = std::chrono::seconds(10);
+
+WebServerSettings test_settings() {
+  WebServerSettings settings;
+  settings.port = 0;
+  settings.greeting = "hello ";
+  settings.files["/"] = {"text/html; charset=utf-8", "<html></html>"};
+  settings.files["/assets/page.js"] = {"text/javascript; charset=utf-8", "run();"};
+  return settings;
+}
+
+std::string host_of(const WebServer& server) {
+  const std::string url = server.url();  // http://host:port/
+  return url.substr(7, url.size() - 8);
+}
+
+Tcp::socket connect_to(asio::io_context& io, const WebServer& server) {
+  const std::string host = host_of(server);
+  const auto port = static_cast<std::uint16_t>(std::stoul(host.substr(host.rfind(':') + 1)));
+  Tcp::socket socket(io);
+  socket.connect({asio::ip::make_address("127.0.0.1"), port});
+  return socket;
+}
+
+using Request = http::request<http::string_body>;
+using Response = http::response<http::string_body>;
+
+Response ask(const WebServer& server, Request request) {
+  asio::io_context io;
+  Tcp::socket socket = connect_to(io, server);
+  if (request[http::field::host].empty()) request.set(http::field::host, host_of(server));
+  request.prepare_payload();
+  http::write(socket, request);
+  beast::flat_buffer buffer;
+  http::response_parser<http::string_body> parser;
+  parser.skip(request.method() == http::verb::head);
+  http::read(socket, buffer, parser);
+  return parser.release();
+}
+
+Response get(const WebServer& server, const std::string& target) {
+  return ask(server, {http::verb::get, target, 11});
+}
+
+/// One page that watches.
+class Watcher {
+ public:
+  explicit Watcher(const WebServer& server, const std::string& origin = {})
+      : socket_(connect_to(io_, server)) {
+    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
+      if (!origin.empty()) request.set(http::field::origin, origin);
+    }));
+    socket_.handshake(host_of(server), "/live", error_);
+    is_refused_ = error_.failed();
+  }
+
+  /// Whether the handshake failed.
+  [[nodiscard]] bool is_refused() const { return is_refused_; }
+
+  void send(const std::string& text) { socket_.write(asio::buffer(text), error_); }
+
+  /// The next message; empty when the connection ended.
+  std::string next() {
+    beast::flat_buffer buffer;
+    socket_.read(buffer, error_);
+    return error_ ? std::string() : beast::buffers_to_string(buffer.data());
+  }
+
+  [[nodiscard]] unsigned close_code() const { return socket_.reason().code; }
+
+ private:
+  asio::io_context io_;
+  beast::error_code error_;
+  bool is_refused_{false};
+  websocket::stream<Tcp::socket> socket_;
+};
+
+TEST(WebServer, ServesThePagesFilesWithTheirType) {
+  const WebServer server(test_settings());
+
+  const Response index = get(server, "/");
+  const Response script = get(server, "/assets/page.js?v=1");
+
+  EXPECT_EQ(index.result_int(), 200U);
+  EXPECT_EQ(index.body(), "<html></html>");
+  EXPECT_EQ(script[http::field::content_type], "text/javascript; charset=utf-8");
+  EXPECT_EQ(script.body(), "run();");
+}
+
+TEST(WebServer, ServesNothingElse) {
+  const WebServer server(test_settings());
+
+  for (const char* target : {"/../../../../etc/passwd",
+                             "/assets/../../etc/passwd",
+                             "/etc/passwd",
+                             "/%2e%2e/%2e%2e/etc/passwd",
+                             "//etc/passwd",
+                             "/assets",
+                             "/live"}) {
+    EXPECT_EQ(get(server, target).result_int(), 404U) << target;
+  }
+}
+
+TEST(WebServer, AnswersHeadWithoutABodyAndRefusesOtherMethods) {
+  const WebServer server(test_settings());
+
+  const Response head = ask(server, {http::verb::head, "/", 11});
+  const Response post = ask(server, {http::verb::post, "/", 11, "some text"});
+
+  EXPECT_EQ(head.result_int(), 200U);
+  EXPECT_EQ(head[http::field::content_length], "13");
+  EXPECT_EQ(post.result_int(), 405U);
+}
+
+TEST(WebServer, GreetsAndPushesEveryUpdate) {
+  WebServer server(test_settings());
+  server.publish({"[state 1]", "[event 1]"});
+  Watcher watcher(server, server.url().substr(0, server.url().size() - 1));
+
+  const std::string first = watcher.next();
+  server.publish({"[state 2]", ""});
+  const std::string second = watcher.next();
+
+  EXPECT_EQ(first, "hello [state 1][event 1]");
+  EXPECT_EQ(second, "[state 2]");
+  EXPECT_EQ(server.counters().clients, 1U);
+}
+
+TEST(WebServer, RefusesAPageOfAnotherOrigin) {
+  const WebServer server(test_settings());
+
+  const Watcher foreign(server, "http://evil.example");
+  Request rebound(http::verb::get, "/", 11);
+  rebound.set(http::field::host, "evil.example:8080");
+
+  EXPECT_TRUE(foreign.is_refused());
+  EXPECT_EQ(ask(server, rebound).result_int(), 403U);
+  EXPECT_EQ(server.counters().refused, 2U);
+}
+
+TEST(WebServer, ClosesWhoeverSendsSomething) {
+  WebServer server(test_settings());
+  server.publish({"[state]", ""});
+  Watcher garbage(server);
+  Watcher huge(server);
+  ASSERT_EQ(garbage.next(), "hello [state]");
+  ASSERT_EQ(huge.next(), "hello [state]");
+
+  garbage.send("\x01\x02garbage");
+  huge.send(std::string(100'000, 'x'));
+
+  EXPECT_EQ(garbage.next(), "");
+  EXPECT_EQ(garbage.close_code(), websocket::close_code::policy_error);
+  EXPECT_EQ(huge.next(), "");
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().misbehaved == 2U; }, kBound));
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().clients == 0U; }, kBound));
+  EXPECT_EQ(get(server, "/").result_int(), 200U);
+}
+
+TEST(WebServer, SurvivesBytesThatAreNoHttp) {
+  const WebServer server(test_settings());
+  asio::io_context io;
+
+  for (const std::string& bytes :
+       {std::string(20'000, 'A'),
+        std::string("\x16\x03\x01\xff\x00", 5),
+        std::string("GET / HTTP/1.1\r\nX: ") + std::string(9'000, 'b')}) {
+    Tcp::socket socket = connect_to(io, server);
+    beast::error_code ignored;
+    asio::write(socket, asio::buffer(bytes), ignored);
+    socket.shutdown(Tcp::socket::shutdown_send, ignored);
+  }
+
+  EXPECT_EQ(get(server, "/").result_int(), 200U);
+}
+
+TEST(WebServer, ASlowClientSkipsStatesButGetsEveryEvent) {
+  WebServer server(test_settings());
+  server.publish({"[state -1]", ""});
+  Watcher slow(server);
+  ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
+  constexpr int kStates = 1000;
+  const std::string padding(50'000, '.');  // 50 MB in all: more than any socket buffer holds
+  std::string sent_events;
+
+  for (int i = 0; i < kStates; ++i) {
+    const std::string event = i % 10 == 0 ? "<" + std::to_string(i) + ">" : "";
+    sent_events += event;
+    server.publish({"[state " + std::to_string(i) + "]" + padding, event});
+  }
+  std::string all;
+  int messages = 0;
+  const std::string last = "[state " + std::to_string(kStates - 1) + "]";
+  while (all.find(last) == std::string::npos) {
+    const std::string message = slow.next();
+    ASSERT_NE(message, "") << "closed after " << messages << " messages";
+    ++messages;
+    all += message;
+  }
+  std::string got_events;
+  for (std::size_t at = all.find('<'); at != std::string::npos; at = all.find('<', at + 1)) {
+    got_events += all.substr(at, all.find('>', at) - at + 1);
+  }
+
+  EXPECT_LT(messages, kStates);
+  EXPECT_EQ(got_events, sent_events);
+  EXPECT_EQ(server.counters().overrun, 0U);
+}
+
+TEST(WebServer, ClosesAClientThatFallsBehindWithEvents) {
+  WebServerSettings settings = test_settings();
+  settings.max_queued_events = 20;
+  WebServer server(std::move(settings));
+  server.publish({"[state]", ""});
+  const Watcher stuck(server);
+  ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
+  const std::string padding(200'000, '.');
+
+  for (int i = 0; i < 200; ++i) server.publish({padding, "<event>"});
+
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().overrun == 1U; }, kBound));
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().clients == 0U; }, kBound));
+  EXPECT_EQ(get(server, "/").result_int(), 200U);
+}
+
+TEST(WebServer, TellsANewClientThePastEvents) {
+  WebServerSettings settings = test_settings();
+  settings.remembered_events = 2;
+  WebServer server(std::move(settings));
+  for (const char* event : {"<1>", "<2>", "<3>"}) server.publish({"[s]", event});
+
+  Watcher late(server);
+
+  EXPECT_EQ(late.next(), "hello [s]<2><3>");
+}
+
+TEST(WebServer, TakesNoMoreConnectionsThanItsBound) {
+  WebServerSettings settings = test_settings();
+  settings.max_clients = 1;
+  WebServer server(std::move(settings));
+  server.publish({"[state]", ""});
+  Watcher first(server);
+  ASSERT_EQ(first.next(), "hello [state]");
+
+  const Watcher second(server);
+
+  EXPECT_TRUE(second.is_refused());
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().refused == 1U; }, kBound));
+}
+
+TEST(WebServer, SaysThatAPortIsInUseAndWhatToDo) {
+  const WebServer first(test_settings());
+  WebServerSettings settings = test_settings();
+  const std::string host = host_of(first);
+  settings.port = static_cast<std::uint16_t>(std::stoul(host.substr(host.rfind(':') + 1)));
+
+  try {
+    const WebServer second(settings);
+    FAIL() << "two servers on one port";
+  } catch (const WebServerError& error) {
+    EXPECT_THAT(error.what(), StartsWith("port " + std::to_string(settings.port) + " is in use"));
+    EXPECT_THAT(error.what(), HasSubstr("choose another with --port"));
+  }
+}
+
+TEST(WebServer, RefusesAnAddressThatIsNone) {
+  WebServerSettings settings = test_settings();
+  settings.bind = "everywhere";
+
+  EXPECT_THROW(const WebServer server(settings), WebServerError);
+}
+
+}  // namespace
+}  // namespace teamsight::monitor
