@@ -87,6 +87,14 @@ std::optional<SchemaFault> fault_of_field(const Message& message, const FieldDes
   return SchemaFault{field.name(), "nothing", expected_value(field)};
 }
 
+std::string names_of(const google::protobuf::EnumDescriptor& type) {
+  std::string names;
+  for (int i = 0; i < type.value_count(); ++i) {
+    names += (i == 0 ? "" : ", ") + type.value(i)->name();
+  }
+  return names;
+}
+
 }  // namespace
 
 std::optional<SchemaFault> first_fault(const Message& message) {
@@ -101,13 +109,8 @@ std::string expected_value(const FieldDescriptor& field) {
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_MESSAGE:
       return "a block { ... } with " + expected_keys(*field.message_type());
-    case FieldDescriptor::CPPTYPE_ENUM: {
-      std::string names;
-      for (int i = 0; i < field.enum_type()->value_count(); ++i) {
-        names += (i == 0 ? "" : ", ") + field.enum_type()->value(i)->name();
-      }
-      return "one of " + names;
-    }
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return "one of " + names_of(*field.enum_type());
     case FieldDescriptor::CPPTYPE_STRING:
       return "a text in quotes";
     case FieldDescriptor::CPPTYPE_BOOL:

@@ -124,7 +124,7 @@ SettingsError TextFile::error(std::string_view key,
 }
 
 std::filesystem::path TextFile::resolve(std::string_view key, const std::string& relative) const {
-  const std::filesystem::path full =
+  std::filesystem::path full =
       std::filesystem::absolute(path_.parent_path() / relative).lexically_normal();
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(full, ignored)) {
