@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include <dds/dds.h>
 
@@ -114,6 +115,24 @@ void meet(const Job& job) {
   loop.run();
 }
 
+// Writes the full message of every topic every 20 ms, for ever.
+template <class... Messages>
+void write_every_topic(const Job& job) {
+  Loop loop;
+  const Participant participant = Participant::join(job.domain);
+  std::tuple<Writer<Messages>...> writers{Writer<Messages>(participant)...};
+  std::uint32_t sequence = 0;
+  loop.every(milliseconds(20), [&] {
+    ++sequence;
+    const auto write = [&](auto message, auto& writer) {
+      message.id.sequence = sequence;
+      writer.write(message);
+    };
+    (write(bus::testing::full<Messages>(), std::get<Writer<Messages>>(writers)), ...);
+  });
+  loop.run();
+}
+
 // Reads commands, for ever.
 void read_commands(const Job& job) {
   Loop loop;
@@ -155,6 +174,22 @@ void run(const Job& job) {
   if (job.what == "worlds") return write_worlds(job);
   if (job.what == "events") return write_events(job);
   if (job.what == "meet") return meet(job);
+  if (job.what == "every topic") {
+    return write_every_topic<RobotState,
+                             Sightings,
+                             VirtualSensors,
+                             Odometry,
+                             WorldModel,
+                             Explanation,
+                             ClockProbe,
+                             ClockEcho,
+                             GameState,
+                             Command,
+                             Diagnostics,
+                             LinePoints,
+                             Thumbnail,
+                             Truth>(job);
+  }
   if (job.what == "commands") return read_commands(job);
   if (job.what == "patient") return join_patiently(job);
   if (job.what == "wait") return wait_in_library(job);

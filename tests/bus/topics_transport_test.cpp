@@ -1,4 +1,8 @@
 // tests/bus/topics_transport_test.cpp: every topic between two participants: values, QoS, sizes.
+#include <cstdio>
+#include <memory>
+#include <type_traits>
+
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 #include <gtest/gtest.h>
@@ -76,28 +80,76 @@ TYPED_TEST(EveryTopic, IsNotHeardByItsOwnParticipant) {
   EXPECT_EQ(own.take(host_now(), [](const auto&) {}), 0U);
 }
 
-/// The matched reader's QoS, as it was announced on the bus.
-class Announced {
- public:
-  explicit Announced(dds_entity_t writer) {
-    dds_instance_handle_t reader = 0;
-    (void)wait_until([&] { return dds_get_matched_subscriptions(writer, &reader, 1) == 1; },
-                     kPatience);
-    endpoint_ = dds_get_matched_subscription_data(writer, reader);
+TYPED_TEST(EveryTopic, ArrivesFromAnotherProcess) {
+  Reader<TypeParam> reader(this->here_);
+  const test::ChildProcess child = testing::start_child("every topic", this->domain_);
+  std::vector<Sample<TypeParam>> got;
+
+  take_until(
+      reader, [&](const auto& s) { got.push_back(s); }, [&] { return !got.empty(); });
+
+  ASSERT_FALSE(got.empty()) << child.err();
+  ASSERT_TRUE(got[0].message);
+  TypeParam expected = full<TypeParam>();
+  expected.id.sequence = got[0].message->id.sequence;
+  EXPECT_EQ(got[0].message, expected);
+}
+
+/// An endpoint of another participant, as it was announced on the bus.
+struct DeleteEndpoint {
+  void operator()(dds_builtintopic_endpoint_t* endpoint) const {
+    dds_builtintopic_free_endpoint(endpoint);
   }
-
-  ~Announced() {
-    if (endpoint_ != nullptr) dds_builtintopic_free_endpoint(endpoint_);
-  }
-
-  Announced(const Announced&) = delete;
-  Announced& operator=(const Announced&) = delete;
-
-  [[nodiscard]] const dds_builtintopic_endpoint_t* get() const { return endpoint_; }
-
- private:
-  dds_builtintopic_endpoint_t* endpoint_{nullptr};
 };
+
+using Announced = std::unique_ptr<dds_builtintopic_endpoint_t, DeleteEndpoint>;
+
+void expect_row(const dds_builtintopic_endpoint_t& endpoint, const TopicProfile& row) {
+  dds_reliability_kind_t reliability{};
+  dds_durability_kind_t durability{};
+  dds_liveliness_kind_t liveliness{};
+  dds_duration_t lease = 0;
+  dds_ownership_kind_t ownership{};
+  dds_destination_order_kind_t order{};
+  dds_qget_reliability(endpoint.qos, &reliability, nullptr);
+  dds_qget_durability(endpoint.qos, &durability);
+  dds_qget_liveliness(endpoint.qos, &liveliness, &lease);
+  dds_qget_ownership(endpoint.qos, &ownership);
+  dds_qget_destination_order(endpoint.qos, &order);
+
+  const bool event = row.delivery == Delivery::kEvent;
+  const bool leased = row.lease > Duration{0};
+  EXPECT_EQ(endpoint.topic_name, row.topic);
+  EXPECT_EQ(reliability, event ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT);
+  EXPECT_EQ(durability, event ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  EXPECT_EQ(liveliness, leased ? DDS_LIVELINESS_MANUAL_BY_TOPIC : DDS_LIVELINESS_AUTOMATIC);
+  EXPECT_EQ(lease, leased ? row.lease.count() : DDS_INFINITY);
+  EXPECT_EQ(ownership, row.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
+  EXPECT_EQ(order, DDS_DESTINATIONORDER_BY_RECEPTION_TIMESTAMP);
+}
+
+TYPED_TEST(EveryTopic, IsWrittenByAnotherProcessWithTheQosOfItsRow) {
+  const TopicProfile& row = topic_profile<TypeParam>();
+  const Entity topic(dds_create_topic(this->here_.handle(),
+                                      &topic_descriptor<TypeParam>(),
+                                      std::string(row.topic).c_str(),
+                                      nullptr,
+                                      nullptr));
+  const QosPointer qos = reader_qos(row);
+  const Entity reader(dds_create_reader(this->here_.handle(), topic.handle(), qos.get(), nullptr));
+  const test::ChildProcess child = testing::start_child("every topic", this->domain_);
+  dds_instance_handle_t writer = 0;
+  ASSERT_TRUE(wait_until(
+      [&] { return dds_get_matched_publications(reader.handle(), &writer, 1) == 1; }, kPatience));
+
+  const Announced announced(dds_get_matched_publication_data(reader.handle(), writer));
+
+  ASSERT_TRUE(announced);
+  expect_row(*announced, row);
+  dds_duration_t lifespan = 0;
+  dds_qget_lifespan(announced->qos, &lifespan);
+  EXPECT_EQ(lifespan, row.lifespan > Duration{0} ? row.lifespan.count() : DDS_INFINITY);
+}
 
 TYPED_TEST(EveryTopic, IsReadWithTheQosOfItsRow) {
   const TopicProfile& row = topic_profile<TypeParam>();
@@ -109,27 +161,14 @@ TYPED_TEST(EveryTopic, IsReadWithTheQosOfItsRow) {
                                       nullptr));
   const QosPointer qos = writer_qos(row, 1);
   const Entity writer(dds_create_writer(this->here_.handle(), topic.handle(), qos.get(), nullptr));
+  dds_instance_handle_t matched = 0;
+  ASSERT_TRUE(wait_until(
+      [&] { return dds_get_matched_subscriptions(writer.handle(), &matched, 1) == 1; }, kPatience));
 
-  const Announced announced(writer.handle());
+  const Announced announced(dds_get_matched_subscription_data(writer.handle(), matched));
 
-  ASSERT_NE(announced.get(), nullptr);
-  EXPECT_EQ(announced.get()->topic_name, row.topic);
-  dds_reliability_kind_t reliability{};
-  dds_durability_kind_t durability{};
-  dds_liveliness_kind_t liveliness{};
-  dds_duration_t lease = 0;
-  dds_ownership_kind_t ownership{};
-  dds_qget_reliability(announced.get()->qos, &reliability, nullptr);
-  dds_qget_durability(announced.get()->qos, &durability);
-  dds_qget_liveliness(announced.get()->qos, &liveliness, &lease);
-  dds_qget_ownership(announced.get()->qos, &ownership);
-  const bool event = row.delivery == Delivery::kEvent;
-  EXPECT_EQ(reliability, event ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT);
-  EXPECT_EQ(durability, event ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  EXPECT_EQ(liveliness,
-            row.lease.count() > 0 ? DDS_LIVELINESS_MANUAL_BY_TOPIC : DDS_LIVELINESS_AUTOMATIC);
-  EXPECT_EQ(lease, row.lease.count() > 0 ? row.lease.count() : DDS_INFINITY);
-  EXPECT_EQ(ownership, row.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
+  ASSERT_TRUE(announced);
+  expect_row(*announced, row);
 }
 
 /// How many bytes a message takes on the wire: the library's own encoding, with its header.
