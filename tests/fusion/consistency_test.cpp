@@ -1,0 +1,212 @@
+// tests/fusion/consistency_test.cpp: errors are as large as the covariances say, over many seeds.
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include "fusion/clock_offset.hpp"
+#include "fusion/fusion.hpp"
+#include "geometry/uncertainty.hpp"
+#include "tests/fusion/scenario.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+using test::at_second;
+using test::Eye;
+using test::normal;
+using test::Random;
+
+constexpr double kFrame = 1.0 / 30.0;
+
+/// Mean of squared normalised errors, to be compared with their degrees of freedom.
+class SquaredErrors {
+ public:
+  void add(const Eigen::VectorXd& error, const Eigen::MatrixXd& cov) {
+    sum_ += squared_mahalanobis(error, cov);
+    ++count_;
+  }
+
+  void add(double squared) {
+    sum_ += squared;
+    ++count_;
+  }
+
+  /// Within 3.3 standard deviations (99.9 %) of a chi-square mean, plus `slack` for what is known
+  /// to be approximate: relative, dimensionless.
+  void expect_chi_square(int degrees, double slack) const {
+    ASSERT_GT(count_, 100);
+    const double spread = 3.3 * std::sqrt(2.0 * degrees / count_);
+    EXPECT_NEAR(sum_ / count_, degrees, spread + slack * degrees) << "over " << count_;
+  }
+
+ private:
+  double sum_{0.0};
+  int count_{0};
+};
+
+/// Something that moves as a filter assumes: velocity fades and is disturbed by white acceleration.
+struct Mover {
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};
+  Eigen::Vector2d v_F{Eigen::Vector2d::Zero()};
+
+  void move(double dt, const TrackParameters& motion, Random& random) {
+    const double psd = motion.acceleration_psd;
+    Eigen::Matrix2d cov;
+    cov << dt * dt * dt / 3.0, dt * dt / 2.0, dt * dt / 2.0, dt;
+    const Eigen::Matrix2d root = (psd * cov).llt().matrixL();
+    for (int axis = 0; axis < 2; ++axis) {
+      const Eigen::Vector2d draw = root * Eigen::Vector2d(normal(random, 1.0), normal(random, 1.0));
+      p_F(axis) += v_F(axis) * dt + draw(0);
+      v_F(axis) += -motion.velocity_decay * v_F(axis) * dt + draw(1);
+    }
+  }
+};
+
+const Pose<Field, Robot> kStands[] = {{-3.0, -1.0, 0.4}, {2.5, 2.0, -2.0}, {0.5, -3.0, 1.6}};
+
+/// Three robots watch a ball and an opponent for a second; what is the world worth at the end?
+WorldModel watch(std::uint64_t seed, Mover& ball, Mover& opponent, Report& report) {
+  Random random(seed);
+  const test::EyeNoise noise{0.004, 0.05, 0.02, 0.005};
+  Eye eyes[] = {{1, 11, noise}, {2, 22, noise}, {3, 33, noise}};
+  const Parameters parameters;
+  Fusion fusion(parameters, test::plain_field());
+  ball.v_F << normal(random, 0.7), normal(random, 0.7);
+  opponent.p_F << -0.5, 1.5;
+  HostTime now = at_second(0.0);
+  for (int i = 0; i < 90; ++i) {
+    const double dt = kFrame / 3.0;
+    ball.move(dt, parameters.ball, random);
+    opponent.move(dt, parameters.obstacle, random);
+    now += from_seconds(dt);
+    Eye& eye = eyes[i % 3];
+    eye.look(kStands[i % 3], now, &random);
+    eye.see_ball(Point<Field>::from(ball.p_F), &random);
+    eye.see_obstacle(Point<Field>::from(opponent.p_F), &random);
+    fusion.insert(eye.frame(), now);
+  }
+  report = fusion.report_at(now);
+  return fusion.world_at(now);
+}
+
+TEST(FusionConsistency, BallAndObstacleErrorsFitTheirCovariances) {
+  SquaredErrors ball_position;
+  SquaredErrors ball_velocity;
+  SquaredErrors obstacle_position;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Mover ball;
+    Mover opponent;
+    Report report;
+    const WorldModel world = watch(seed, ball, opponent, report);
+    ASSERT_FALSE(world.balls.empty()) << "seed " << seed;
+    ASSERT_FALSE(world.obstacles.empty()) << "seed " << seed;
+    const WorldBall& seen = world.balls.front();
+    ball_position.add(seen.p_FB.on_floor().vector() - ball.p_F, seen.cov_p.topLeftCorner<2, 2>());
+    ball_velocity.add(Eigen::Vector2d(seen.v_FB.x, seen.v_FB.y) - ball.v_F,
+                      seen.cov_v.topLeftCorner<2, 2>());
+    obstacle_position.add(world.obstacles.front().p_FO.vector() - opponent.p_F,
+                          world.obstacles.front().cov_p);
+  }
+
+  // A ray's range is not linear in its elevation: 5 %.
+  ball_position.expect_chi_square(2, 0.05);
+  ball_velocity.expect_chi_square(2, 0.05);
+  obstacle_position.expect_chi_square(2, 0.05);
+}
+
+TEST(FusionConsistency, InnovationsFitTheirCovariances) {
+  SquaredErrors ball;
+  SquaredErrors obstacle;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Mover rolling;
+    Mover opponent;
+    Report report;
+    (void)watch(1000 + seed, rolling, opponent, report);
+    for (const TrackReport& track : report.tracks) {
+      // 90 observations: their mean spreads a tenth as far as one would, per two degrees.
+      (track.is_ball ? ball : obstacle).add(track.nis);
+    }
+  }
+
+  ball.expect_chi_square(1, 0.05);
+  obstacle.expect_chi_square(1, 0.05);
+}
+
+TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {
+  const TeammateParameters parameters;
+  TrackParameters motion;
+  motion.acceleration_psd = parameters.acceleration_psd;
+  TrackParameters turning;
+  turning.acceleration_psd = parameters.angular_acceleration_psd;
+  SquaredErrors errors;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Random random(seed);
+    Mover body;
+    Mover heading;  // only its first axis counts
+    heading.p_F.x() = 3.1;
+    PostureTrack track;
+    HostTime now = at_second(0.0);
+    for (int i = 0; i < 45; ++i) {
+      body.move(kFrame, motion, random);
+      heading.move(kFrame, turning, random);
+      now += from_seconds(kFrame);
+      PostureEstimate posture;
+      posture.status = PostureStatus::kOk;
+      posture.cov = Eigen::Vector3d(9e-4, 9e-4, 1e-4).asDiagonal();
+      posture.X_FR = {body.p_F.x() + normal(random, 0.03),
+                      body.p_F.y() + normal(random, 0.03),
+                      heading.p_F.x() + normal(random, 0.01)};
+      take_posture(track, posture, now, parameters);
+    }
+    body.move(0.05, motion, random);
+    heading.move(0.05, turning, random);
+    const auto carried = carried_to(track, now + from_seconds(0.05), parameters);
+    const Eigen::Vector3d error(carried.X_FR.x() - body.p_F.x(),
+                                carried.X_FR.y() - body.p_F.y(),
+                                angle_difference(carried.X_FR.theta(), heading.p_F.x()));
+    errors.add(error, carried.cov);
+  }
+
+  errors.expect_chi_square(3, 0.0);
+}
+
+TEST(ClockOffsetConsistency, JitterAndDriftStayWithinTheirSigma) {
+  double squares = 0.0;
+  constexpr int kSeeds = 300;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Random random(seed);
+    std::exponential_distribution<double> jitter(1.0 / 0.004);
+    const double drift = std::uniform_real_distribution<double>(-5e-5, 5e-5)(random);
+    const double offset = normal(random, 1000.0);
+    const auto peer_at = [&](HostTime time) {
+      const double t = to_seconds(time - at_second(0.0));
+      return PeerTime{time.time_since_epoch() + from_seconds(offset + drift * t)};
+    };
+    ClockOffset clock;
+    HostTime now = at_second(0.0);
+    for (int i = 0; i < 20; ++i) {
+      now += std::chrono::seconds(1);
+      const HostTime there = now + from_seconds(0.0003 + jitter(random));
+      const HostTime answered = there + std::chrono::milliseconds(5);
+      const HostTime back = answered + from_seconds(0.0003 + jitter(random));
+      ASSERT_TRUE(clock.add({now, peer_at(there), peer_at(answered), back}));
+    }
+    now += std::chrono::milliseconds(500);
+    const auto estimate = clock.at(now);
+    ASSERT_TRUE(estimate.has_value());
+    const Duration truth = peer_at(now).time_since_epoch() - now.time_since_epoch();
+    const double error = to_seconds(estimate->offset - truth);
+    const double sigma = to_seconds(estimate->sigma);
+    EXPECT_LT(std::abs(error), 3.0 * sigma) << "seed " << seed;
+    EXPECT_LT(sigma, 0.002) << "seed " << seed;
+    squares += error * error / (sigma * sigma);
+  }
+
+  // Sigma stands for the worst asymmetry that the round trip allows: safe, and not absurdly so.
+  EXPECT_LT(squares / kSeeds, 1.1);
+  EXPECT_GT(squares / kSeeds, 0.02);
+}
+
+}  // namespace
+}  // namespace teamsight::fusion
