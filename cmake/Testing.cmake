@@ -15,10 +15,12 @@ function(teamsight_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main teamsight_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-  set(environment "TEAMSIGHT_SOURCE_DIR=${PROJECT_SOURCE_DIR}" "TEAMSIGHT_BIN_DIR=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   gtest_discover_tests(${name}
     DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}"
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
+               # One property each: gtest_discover_tests takes the second entry of a list for a property's name.
+               ENVIRONMENT TEAMSIGHT_SOURCE_DIR=${PROJECT_SOURCE_DIR}
+               ENVIRONMENT_MODIFICATION TEAMSIGHT_BIN_DIR=set:${CMAKE_RUNTIME_OUTPUT_DIRECTORY}
                $<$<BOOL:${ARG_SERIAL}>:RUN_SERIAL> $<$<BOOL:${ARG_SERIAL}>:TRUE>)
   teamsight_test_group(tests_${ARG_LABEL} ${name})
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
