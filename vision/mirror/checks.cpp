@@ -140,7 +140,7 @@ Worst least_second_hit(const std::vector<Ray>& rays) {
   Worst worst{kInfinity, 0.0};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     // A ray turned towards the axis crosses to the other side of the mirror.
-    const double angle = std::min(second_hit_angle(rays, i), rays[i].psi + 1e-12);
+    const double angle = rays[i].psi < 0.0 ? rays[i].psi : second_hit_angle(rays, i);
     if (rays[i].origin.x > 0.0 && angle < worst.value) {
       worst = {angle, rays[i].origin.x};
     }
@@ -148,25 +148,32 @@ Worst least_second_hit(const std::vector<Ray>& rays) {
   return worst;
 }
 
-std::optional<Failure> check_floor_order(const Assembly& assembly, const std::vector<Ray>& rays) {
-  for (std::size_t i = 1; i < rays.size(); ++i) {
-    const Ray& a = rays[i - 1];
-    const Ray& b = rays[i];
-    const auto near = floor_distance(a, assembly.pinhole_height);
-    const auto far = floor_distance(b, assembly.pinhole_height);
-    const bool comes_back = a.part == b.part && far && (!near || *far < *near - 1e-9);
-    if (comes_back) {
-      const double back = near ? *near - *far : kInfinity;
-      return fault(Condition::kFloorOrder,
-                   back,
-                   fmt::format("floor seen twice: {} turns back by {:.3g} m on the floor at "
-                               "x = {:.6f} m",
-                               assembly.profile.parts[a.part].name,
-                               back,
-                               b.origin.x));
+/// How far each part's view turns back on the floor, at worst; infinite from beyond the horizon.
+Worst most_turned_back(const Assembly& assembly, const std::vector<Ray>& rays) {
+  Worst worst;
+  double reached = 0.0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double distance = floor_distance(rays[i], assembly.pinhole_height).value_or(kInfinity);
+    const bool begins = i == 0 || rays[i].part != rays[i - 1].part;
+    reached = begins ? distance : std::max(reached, distance);
+    if (distance < kInfinity && reached - distance > worst.value) {
+      worst = {reached - distance, rays[i].origin.x};
     }
   }
-  return std::nullopt;
+  return worst;
+}
+
+std::optional<Failure> check_floor_order(const Assembly& assembly, const std::vector<Ray>& rays) {
+  const Worst back = most_turned_back(assembly, rays);
+  if (back.value < 1e-9) {
+    return std::nullopt;
+  }
+  return fault(Condition::kFloorOrder,
+               back.value,
+               fmt::format("floor seen twice: a part's view turns back by {:.3g} m on the floor, "
+                           "up to x = {:.6f} m",
+                           back.value,
+                           back.x));
 }
 
 /// The body's cylinder that comes closest to the ray, for the message.

@@ -19,9 +19,9 @@ namespace odeint = boost::numeric::odeint;
 
 using State = std::array<double, 1>;  // y; x follows from tan(alpha) = x / y
 
-/// Thrown through the integrator only: the surface has come to lie along the camera ray.
-struct TurnsAway : std::runtime_error {
-  TurnsAway() : std::runtime_error("the mirror turns away from the camera") {}
+/// Thrown through the integrator only: the surface lies along the camera ray, or nowhere.
+struct NoSurface : std::runtime_error {
+  NoSurface() : std::runtime_error("no surface") {}
 };
 
 /// With x = t y: dx = y dt + t dy and dy = s dx give dy/dt = s y / (1 - s t).
@@ -29,7 +29,7 @@ double derivative(double t, double y, const IsometricParameters& p) {
   const double slope = isometric_slope(t, y, p);
   const double facing = 1.0 - slope * t;
   if (!(facing > 1e-6) || !(y > 0.0)) {
-    throw TurnsAway();
+    throw NoSurface();
   }
   return slope * y / facing;
 }
@@ -74,7 +74,7 @@ std::optional<std::vector<Node>> integrate_isometric(const IsometricParameters& 
         [&p, &nodes](const State& y, double t) {
           nodes.push_back({t * y[0], y[0], isometric_slope(t, y[0], p)});
         });
-  } catch (const std::runtime_error&) {  // TurnsAway, or a step that could not be made small enough
+  } catch (const std::runtime_error&) {  // NoSurface, or a step that could not be made small enough
     return std::nullopt;
   }
   return nodes;

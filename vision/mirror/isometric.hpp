@@ -36,7 +36,8 @@ struct IsometricParameters {
 ///
 /// @param intervals  nodes less one, equally spaced in the image; at least 1
 /// @param tolerance  of one step, relative and absolute (m)
-/// @return the nodes from apex to end; nothing if the mirror would turn away from the camera
+/// @return the nodes from apex to end; nothing if a step cannot be made,
+/// which needs a parameter that is not finite
 [[nodiscard]] std::optional<std::vector<Node>> integrate_isometric(const IsometricParameters& p,
                                                                    std::size_t intervals,
                                                                    double tolerance = 1e-13);

@@ -65,11 +65,15 @@ std::optional<Node> end_of_isometric(IsometricParameters p, double apex, double 
   return nodes ? std::optional(nodes->back()) : std::nullopt;
 }
 
-/// By how much the arc from A passes above B; m. Nothing if there is no arc.
+/// By how much the arc from A passes above B; m. Continued by A's own height over B where A lies
+/// further out, so that it is continuous and vanishes only where there is an arc.
 std::optional<double> closure(const Frame& frame, double apex, double tolerance) {
   const auto A = end_of_isometric(frame.isometric, apex, tolerance);
-  if (!A || A->x >= frame.B.x) {
+  if (!A) {
     return std::nullopt;
+  }
+  if (A->x >= frame.B.x) {
+    return A->y - frame.B.y;
   }
   return at(make_arc(*A, frame.B.x, std::atan(frame.B.slope)), frame.B.x).y - frame.B.y;
 }
@@ -85,7 +89,7 @@ Bracket find_bracket(const Frame& frame) {
   Bracket bracket;
   std::optional<double> before;
   double apex_before = 0.0;
-  for (int i = 1; i < kSteps; ++i) {
+  for (int i = 1; i <= kSteps; ++i) {
     const double apex = frame.B.y * static_cast<double>(i) / kSteps;
     const auto miss = closure(frame, apex, 1e-9);
     if (miss && std::abs(*miss) < std::abs(bracket.smallest_miss)) {
@@ -101,12 +105,7 @@ Bracket find_bracket(const Frame& frame) {
   return bracket;
 }
 
-Failure no_closure(const MultiPart& p, const Bracket& bracket) {
-  if (!std::isfinite(bracket.smallest_miss)) {
-    return unsolvable(
-        bracket.smallest_miss,
-        fmt::format("no isometric part up to {:.3f} m ends inside the ring", p.isometric_range));
-  }
+Failure no_closure(const Bracket& bracket) {
   return unsolvable(std::abs(bracket.smallest_miss),
                     fmt::format("the arc from A passes {} B by {:.3f} mm at best",
                                 bracket.smallest_miss > 0.0 ? "above" : "below",
@@ -122,9 +121,8 @@ Result<MultiPartSolution, Failure> solve(const MultiPart& parameters, const Rim&
   }
   const Bracket bracket = find_bracket(*frame);
   if (!bracket.apex) {
-    return failure(no_closure(parameters, bracket));
+    return failure(no_closure(bracket));
   }
-  // Between two apex heights that both have an arc, all have one.
   const auto miss = [&](double apex) {
     return closure(*frame, apex, 1e-13).value();
   };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -102,22 +103,28 @@ Result<Profile, Failure> make_profile(const ConeWithApex& shape,
                                       std::size_t intervals) {
   const double psi_rim = std::atan2(shape.far_range - rim.radius, rim.height);
   const double slope_angle = 0.5 * (psi_rim - std::atan2(rim.radius, shape.rim_y));
-  const double tip = shape.rim_y - rim.radius * std::tan(slope_angle);
-  const double nearest = cone_range(0.0, slope_angle, shape, rim);
-  const double shortfall = nearest - shape.near_range;
-  if (!(tip > 0.0) || !(slope_angle > 0.0) || shortfall >= 0.0) {
+  if (!(slope_angle > 0.0)) {
     return failure(Failure{
         Condition::kSolution,
-        tip > 0.0 ? shortfall : -tip,
-        tip > 0.0
-            ? fmt::format("no solution: the cone that shows {:.3f} m at the rim shows nothing "
-                          "nearer than {:.3f} m, {:.3f} m beyond the joint's {:.3f} m",
-                          shape.far_range,
-                          nearest,
-                          shortfall,
-                          shape.near_range)
-            : fmt::format("no solution: the cone's tip would lie {:.4f} m below the pinhole",
-                          -tip)});
+        -slope_angle,
+        fmt::format(
+            "no solution: the camera ray to the rim is {:.3f} deg flatter than the ray from "
+            "there to {:.3f} m",
+            -2.0 * slope_angle * 180.0 / std::numbers::pi,
+            shape.far_range)});
+  }
+  const double nearest = cone_range(0.0, slope_angle, shape, rim);
+  if (!(nearest < shape.near_range)) {
+    return failure(Failure{
+        Condition::kSolution,
+        nearest - shape.near_range,
+        fmt::format(
+            "no solution: the cone that shows {:.3f} m at the rim shows nothing nearer than "
+            "{:.3f} m, {:.3f} m beyond the joint's {:.3f} m",
+            shape.far_range,
+            nearest,
+            nearest - shape.near_range,
+            shape.near_range)});
   }
   const double joint_x = joint_radius(slope_angle, shape, rim);
   const double slope = std::tan(slope_angle);
