@@ -1,0 +1,131 @@
+// tools/calibrate_command.cpp: rings in pictures become the radial table of a camera file.
+#include "tools/calibrate_command.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "settings/load.hpp"
+#include "tools/image_file.hpp"
+#include "vision/ring_calibration.hpp"
+
+namespace teamsight::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kNo = 1;
+
+struct RingOptions {
+  std::string base;
+  std::string out;
+  std::string image;
+  std::vector<double> distances;
+  std::vector<double> centre;
+};
+
+vision::RingRules rules_of(const RingOptions& options,
+                           const vision::CameraParameters& camera,
+                           const vision::RadialTable& table,
+                           const ImageFile& picture) {
+  vision::RingRules rules;
+  rules.distances = options.distances;
+  rules.sectors = camera.mask.sectors;
+  rules.mirror_height = table.mirror_height;
+  rules.inner_radius_px = std::max(camera.mask.inner_radius_px, 20.0);
+  rules.centre = options.centre.empty()
+                     ? vision::Pixel{0.5 * picture.width_px, 0.5 * picture.height_px}
+                     : vision::Pixel{options.centre[0], options.centre[1]};
+  return rules;
+}
+
+ordered_json report(const std::string& image, const vision::RingCalibration& calibration) {
+  ordered_json line;
+  line["image"] = image;
+  line["centre_u_px"] = calibration.centre.u;
+  line["centre_v_px"] = calibration.centre.v;
+  line["rings"] = ordered_json::array();
+  double sum = 0.0;
+  for (const vision::FoundRing& ring : calibration.rings) {
+    line["rings"].push_back({{"radius_px", ring.mark.radius_px},
+                             {"distance_m", ring.mark.distance},
+                             {"sigma_px", ring.mark.sigma_px},
+                             {"sigma_mean_px", ring.sigma_mean_px},
+                             {"directions", ring.directions},
+                             {"left_out_px", ring.left_out_px}});
+    sum += ring.left_out_px * ring.left_out_px;
+  }
+  // The outermost ring cannot be left out: nothing lies beyond it.
+  line["left_out_rms_px"] = std::sqrt(sum / static_cast<double>(calibration.rings.size() - 1));
+  return line;
+}
+
+// The base camera with its table's rows replaced. The centre stays: a calibration picture may be
+// cut out of the frame.
+vision::CameraParameters with_rings(vision::CameraParameters camera,
+                                    const vision::RingCalibration& calibration) {
+  auto& table = std::get<vision::RadialTable>(camera.mirror);
+  // On the axis the camera sees itself: straight down. The radius is known only roughly there.
+  table.rows = {{0.0, 0.0, 2.0}};
+  for (const vision::FoundRing& ring : calibration.rings) table.rows.push_back(ring.mark);
+  return camera;
+}
+
+int calibrate(const RingOptions& options) {
+  const auto camera = settings::load_camera(options.base);
+  const auto* table = std::get_if<vision::RadialTable>(&camera.mirror);
+  if (table == nullptr) {
+    throw std::runtime_error(options.base + ": mirror: found profile, expected radial_table");
+  }
+  for (std::size_t i = 1; i < options.distances.size(); ++i) {
+    if (options.distances[i] > options.distances[i - 1]) continue;
+    throw std::runtime_error("--distances: found " + std::to_string(options.distances[i]) +
+                             " after " + std::to_string(options.distances[i - 1]) +
+                             ", expected growing distances in m");
+  }
+  const ImageFile picture = read_grey_picture(options.image);
+  const auto calibration =
+      vision::calibrate_rings(picture.view(), rules_of(options, camera, *table, picture));
+  if (!calibration) {
+    std::cerr << "teamsight: " << options.image << ": fewer than three rings found\n";
+    return kNo;
+  }
+  std::cout << report(options.image, *calibration).dump() << std::endl;
+  if (!options.out.empty()) {
+    settings::save_camera(options.out,
+                          with_rings(camera, *calibration),
+                          "Radial table from rings: teamsight calibrate rings");
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RingOptions>();
+  CLI::App* command = app.add_subcommand("calibrate", "Makes camera files from pictures");
+  command->require_subcommand(1);
+  CLI::App* rings = command->add_subcommand("rings", "From rings at known distances");
+  rings->add_option("--base", options->base, "camera file to start from; needs a radial table")
+      ->required();
+  rings->add_option("--distances", options->distances, "of the rings in m, comma separated")
+      ->delimiter(',')
+      ->required();
+  rings->add_option("--centre", options->centre, "u_px,v_px in the picture; else its middle")
+      ->delimiter(',')
+      ->expected(2);
+  rings->add_option("--out", options->out, "camera file to write");
+  rings->add_option("image", options->image, "picture of the rings")->required();
+  rings->callback([options, &exit_code] { exit_code = calibrate(*options); });
+}
+
+}  // namespace teamsight::tools

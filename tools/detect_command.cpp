@@ -1,0 +1,166 @@
+// tools/detect_command.cpp: reads images, writes what is in them as JSON lines.
+#include "tools/detect_command.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "settings/load.hpp"
+#include "tools/sight_drawing.hpp"
+#include "tools/viewer.hpp"
+#include "vision/camera_model.hpp"
+
+namespace teamsight::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct DetectOptions {
+  std::string camera;
+  std::string field;
+  std::string draw;
+  std::vector<std::string> images;
+};
+
+constexpr double kBallRadius = 0.11;  // m; a ball lying on the floor is this high
+
+const char* colour_name(BallColour colour) {
+  switch (colour) {
+    case BallColour::kOrange:
+      return "orange";
+    case BallColour::kRed:
+      return "red";
+    case BallColour::kYellow:
+      return "yellow";
+    case BallColour::kPatterned:
+      return "patterned";
+    case BallColour::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+const char* light_name(vision::Light light) {
+  switch (light) {
+    case vision::Light::kGood:
+      return "good";
+    case vision::Light::kDark:
+      return "dark";
+    case vision::Light::kGlare:
+      return "glare";
+    case vision::Light::kCovered:
+      return "covered";
+    case vision::Light::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+// Covariance of a ball on the floor, x and y in R, from that of its direction.
+std::vector<double> floor_covariance(const BallRay& ball, const Point<Robot>& p_RB) {
+  const double distance = std::hypot(p_RB.x, p_RB.y);
+  const double height = ball.ray_R.origin.z - kBallRadius;
+  const double along =
+      (distance * distance + height * height) / height;  // d distance / d elevation
+  const Eigen::Vector2d away = p_RB.vector() / std::max(distance, 1e-6);
+  const Eigen::Vector2d across{-away.y(), away.x()};
+  const Eigen::Matrix2d cov =
+      along * along * ball.cov_direction(1, 1) * away * away.transpose() +
+      distance * distance * ball.cov_direction(0, 0) * across * across.transpose();
+  return {cov(0, 0), cov(0, 1), cov(1, 0), cov(1, 1)};
+}
+
+ordered_json ball_entry(const BallRay& ball, const vision::BallPixels& pixels) {
+  const auto p_RB = vision::meet_plane(ball.ray_R, kBallRadius);
+  ordered_json entry;
+  entry["u_px"] = pixels.u_px;
+  entry["v_px"] = pixels.v_px;
+  entry["r_px"] = pixels.r_px;
+  entry["colour"] = colour_name(ball.colour);
+  entry["confidence"] = ball.confidence;
+  entry["x_m"] = p_RB ? ordered_json(p_RB->x) : ordered_json();
+  entry["y_m"] = p_RB ? ordered_json(p_RB->y) : ordered_json();
+  entry["z_m"] = p_RB ? ordered_json(kBallRadius) : ordered_json();
+  entry["cov"] = p_RB ? ordered_json(floor_covariance(ball, *p_RB)) : ordered_json();
+  return entry;
+}
+
+ordered_json obstacle_entry(const ObstacleSighting& obstacle, const vision::Pixel& foot) {
+  ordered_json entry;
+  entry["u_px"] = foot.u;
+  entry["v_px"] = foot.v;
+  entry["azimuth_rad"] = std::atan2(obstacle.p_RO.y, obstacle.p_RO.x);
+  entry["distance_m"] = std::hypot(obstacle.p_RO.x, obstacle.p_RO.y);
+  entry["width_m"] = obstacle.width;
+  entry["team"] = nullptr;
+  entry["confidence"] = obstacle.confidence;
+  return entry;
+}
+
+ordered_json detection_line(const std::string& image, const Viewed& viewed) {
+  const vision::FrameObservation& seen = *viewed.seen;
+  ordered_json line;
+  line["image"] = image;
+  line["balls"] = ordered_json::array();
+  for (std::size_t i = 0; i < seen.balls.size(); ++i) {
+    line["balls"].push_back(ball_entry(seen.balls[i], seen.ball_pixels[i]));
+  }
+  line["obstacles"] = ordered_json::array();
+  for (std::size_t i = 0; i < seen.obstacles.size(); ++i) {
+    line["obstacles"].push_back(obstacle_entry(seen.obstacles[i], seen.obstacle_pixels[i]));
+  }
+  line["goals"] = ordered_json::array();
+  line["free_space"] = ordered_json::array();
+  for (const vision::FreeSpace& free : seen.free_space) {
+    line["free_space"].push_back({{"azimuth_rad", free.azimuth}, {"distance_m", free.distance}});
+  }
+  line["sensors"] = ordered_json::object();
+  line["light"] = light_name(seen.light);
+  line["time_ms"] = viewed.time_ms;
+  return line;
+}
+
+// A field with a far-off line: without a field file nothing is known of postures.
+FieldModel unknown_field() {
+  FieldModel field;
+  field.name = "unknown";
+  field.length = 1.0;
+  field.width = 1.0;
+  field.line_width = 0.125;
+  field.lines.push_back({"none", {1e4, 0.0}, {1e4, 1.0}, LineFamily::kOther});
+  return field;
+}
+
+int detect(const DetectOptions& options) {
+  const auto camera = settings::load_camera(options.camera);
+  const bool has_field = !options.field.empty();
+  const FieldModel field = has_field ? settings::load_field(options.field) : unknown_field();
+  Viewer viewer(camera, field);
+  for (const std::string& image : options.images) {
+    const Viewed viewed = viewer.look(image, {});
+    std::cout << detection_line(image, viewed).dump() << std::endl;
+    if (!options.draw.empty()) draw_sight(options.draw, image, viewed.frame, field, *viewed.seen);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_detect_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DetectOptions>();
+  CLI::App* command = app.add_subcommand("detect", "Finds balls, obstacles and free space");
+  command->add_option("--camera", options->camera, "camera file")->required();
+  command->add_option("--field", options->field, "field file; drops what stands off the carpet");
+  command->add_option("--draw", options->draw, "folder for an SVG and a PNG of each image");
+  command->add_option("images", options->images, "pictures, or .raw dumps of the camera")
+      ->required();
+  command->callback([options, &exit_code] { exit_code = detect(*options); });
+}
+
+}  // namespace teamsight::tools

@@ -1,0 +1,78 @@
+// tools/image_file.cpp: reading frames; OpenCV reads everything but raw dumps.
+#include "tools/image_file.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace teamsight::tools {
+
+namespace {
+
+std::string size_text(std::uint32_t width, std::uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height) + " pixels";
+}
+
+ImageFile from_mat(const cv::Mat& picture, vision::PixelFormat format) {
+  ImageFile file;
+  file.width_px = static_cast<std::uint32_t>(picture.cols);
+  file.height_px = static_cast<std::uint32_t>(picture.rows);
+  file.format = format;
+  const std::size_t row = vision::row_bytes(format, file.width_px);
+  for (int v = 0; v < picture.rows; ++v) {
+    const std::uint8_t* begin = picture.ptr<std::uint8_t>(v);
+    file.bytes.insert(file.bytes.end(), begin, begin + row);
+  }
+  return file;
+}
+
+cv::Mat read_picture(const std::filesystem::path& path, int mode) {
+  cv::Mat picture;
+  if (std::filesystem::is_regular_file(path)) picture = cv::imread(path.string(), mode);
+  if (picture.empty()) {
+    throw std::runtime_error(path.string() +
+                             ": not a readable picture; expected PNG, JPEG or the like, or a .raw "
+                             "dump of the camera's bytes");
+  }
+  return picture;
+}
+
+ImageFile read_dump(const std::filesystem::path& path, const vision::CameraParameters& camera) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
+  const std::string content{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t expected = vision::row_bytes(camera.format, camera.width_px) * camera.height_px;
+  if (content.size() != expected) {
+    throw std::runtime_error(path.string() + ": found " + std::to_string(content.size()) +
+                             " bytes, expected " + std::to_string(expected) + " (" +
+                             size_text(camera.width_px, camera.height_px) +
+                             " in the camera file's format)");
+  }
+  return {{content.begin(), content.end()}, camera.width_px, camera.height_px, camera.format};
+}
+
+}  // namespace
+
+bool is_raw_dump(const std::filesystem::path& path) {
+  return path.extension() == ".raw";
+}
+
+ImageFile read_image(const std::filesystem::path& path, const vision::CameraParameters& camera) {
+  if (is_raw_dump(path)) return read_dump(path, camera);
+  ImageFile file = from_mat(read_picture(path, cv::IMREAD_COLOR), vision::PixelFormat::kBgr);
+  if (file.width_px != camera.width_px || file.height_px != camera.height_px) {
+    throw std::runtime_error(path.string() + ": found " + size_text(file.width_px, file.height_px) +
+                             ", expected " + size_text(camera.width_px, camera.height_px) +
+                             " as the camera file says");
+  }
+  return file;
+}
+
+ImageFile read_grey_picture(const std::filesystem::path& path) {
+  return from_mat(read_picture(path, cv::IMREAD_GRAYSCALE), vision::PixelFormat::kGrey);
+}
+
+}  // namespace teamsight::tools

@@ -1,0 +1,252 @@
+// vision/ring_calibration.cpp: bumps along directions, votes for radii, circles by medians.
+#include "vision/ring_calibration.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "vision/monotone_curve.hpp"
+#include "vision/pixel_reader.hpp"
+#include "vision/scan_lines.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr int kDirections = 720;
+constexpr double kStep = 0.25;      // px along a direction
+constexpr float kContrast = 12.0F;  // grey levels of a ring over both sides
+constexpr double kBin = 0.5;        // px of the votes' histogram
+constexpr double kNear = 3.0;       // px: a bump this near to a ring's radius is that ring's
+constexpr double kShare = 0.35;     // of the directions in which a ring must be seen
+constexpr int kCentreRounds = 6;
+constexpr double kMadToSigma = 1.4826;
+
+struct Bump {
+  double direction{0.0};  // of the picture; rad
+  double radius{0.0};     // px
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+float luminance_at(const PixelReader& pixels, double u, double v) {
+  const auto column = static_cast<std::size_t>(u);
+  const auto row = static_cast<std::size_t>(v);
+  const auto right = static_cast<float>(u - std::floor(u));
+  const auto below = static_cast<float>(v - std::floor(v));
+  const std::size_t corner = row * pixels.width() + column;
+  const auto y = [&](std::size_t pixel) {
+    return static_cast<float>(pixels.luminance(pixel));
+  };
+  const float above = y(corner) + right * (y(corner + 1) - y(corner));
+  const std::size_t under = corner + pixels.width();
+  const float lower = y(under) + right * (y(under + 1) - y(under));
+  return above + below * (lower - above);
+}
+
+std::vector<float> profile_of(const ImageView& image,
+                              const PixelReader& pixels,
+                              const RingRules& rules,
+                              double direction) {
+  std::vector<float> profile;
+  for (double radius = rules.inner_radius_px;; radius += kStep) {
+    const double u = rules.centre.u + radius * std::cos(direction);
+    const double v = rules.centre.v - radius * std::sin(direction);
+    if (u < 0.0 || v < 0.0 || u >= image.width_px - 1.0 || v >= image.height_px - 1.0) break;
+    profile.push_back(luminance_at(pixels, u, v));
+  }
+  return profile;
+}
+
+// Local maxima that stand out from the valleys on both sides; the middle at half height.
+void add_bumps(std::span<const float> profile,
+               const RingRules& rules,
+               double direction,
+               std::vector<Bump>& bumps) {
+  const std::size_t n = profile.size();
+  float valley = n > 0 ? profile[0] : 0.0F;
+  std::size_t top = 0;
+  bool rising = false;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (!rising) {
+      valley = std::min(valley, profile[i]);
+      if (profile[i] < valley + kContrast) continue;
+      rising = true;
+      top = i;
+      continue;
+    }
+    if (profile[i] > profile[top]) top = i;
+    if (profile[i] > profile[top] - kContrast) continue;
+    // Down again: the other valley lies ahead.
+    std::size_t bottom = i;
+    while (bottom + 1 < n && profile[bottom + 1] <= profile[bottom]) ++bottom;
+    const float level = 0.5F * (profile[top] + std::max(valley, profile[bottom]));
+    std::size_t inner = top;
+    std::size_t outer = top;
+    while (inner > 0 && profile[inner - 1] > level) --inner;
+    while (outer + 1 < n && profile[outer + 1] > level) ++outer;
+    const double middle = 0.5 * static_cast<double>(inner + outer);
+    bumps.push_back({direction, rules.inner_radius_px + kStep * middle});
+    valley = profile[i];
+    rising = false;
+  }
+}
+
+std::vector<Bump> find_bumps(const ImageView& image, const RingRules& rules) {
+  const PixelReader pixels(image);
+  Mask mask;
+  mask.sectors = rules.sectors;
+  std::vector<Bump> bumps;
+  for (int i = 0; i < kDirections; ++i) {
+    const double direction = 2.0 * std::numbers::pi * i / kDirections;
+    if (is_masked(mask, direction)) continue;
+    add_bumps(profile_of(image, pixels, rules, direction), rules, direction, bumps);
+  }
+  return bumps;
+}
+
+// Directions that the mask leaves.
+double open_directions(const RingRules& rules) {
+  Mask mask;
+  mask.sectors = rules.sectors;
+  int count = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    if (!is_masked(mask, 2.0 * std::numbers::pi * i / kDirections)) ++count;
+  }
+  return count;
+}
+
+// Radii at which many directions have a bump, growing.
+std::vector<double> vote(const std::vector<Bump>& bumps, double directions) {
+  std::vector<double> radii;
+  for (const Bump& bump : bumps) radii.push_back(bump.radius);
+  if (radii.empty()) return {};
+  const double largest = *std::ranges::max_element(radii);
+  std::vector<double> histogram(static_cast<std::size_t>(largest / kBin) + 2, 0.0);
+  for (const double radius : radii) histogram[static_cast<std::size_t>(radius / kBin)] += 1.0;
+  // Votes within 1.5 px; a ring that wobbles by a pixel still gathers them.
+  constexpr std::ptrdiff_t kWindow = 3;
+  const auto last = static_cast<std::ptrdiff_t>(histogram.size()) - 1;
+  const auto votes = [&](std::ptrdiff_t bin) {
+    double sum = 0.0;
+    for (std::ptrdiff_t b = std::max<std::ptrdiff_t>(0, bin - kWindow);
+         b <= std::min(last, bin + kWindow);
+         ++b) {
+      sum += histogram[static_cast<std::size_t>(b)];
+    }
+    return sum;
+  };
+  std::vector<double> found;
+  for (std::ptrdiff_t bin = 0; bin <= last; ++bin) {
+    const double here = votes(bin);
+    if (here < kShare * directions || here < votes(bin - 1) || here <= votes(bin + 1)) continue;
+    if (!found.empty() && (static_cast<double>(bin) + 0.5) * kBin - found.back() < kNear) continue;
+    found.push_back((static_cast<double>(bin) + 0.5) * kBin);
+  }
+  return found;
+}
+
+// The bumps that belong to the ring at `radius`.
+std::vector<Bump> ring_bumps(const std::vector<Bump>& bumps, double radius) {
+  std::vector<Bump> mine;
+  std::ranges::copy_if(bumps, std::back_inserter(mine), [&](const Bump& bump) {
+    return std::abs(bump.radius - radius) < kNear;
+  });
+  return mine;
+}
+
+// Moves the centre so that every ring's radius is the same in all directions: least squares of
+// radius = r_k + a cos + b sin over the bumps near the rings, with far ones weighted down.
+Pixel centre_shift(const std::vector<Bump>& bumps, const std::vector<double>& radii) {
+  Eigen::Matrix2d normal = 1e-9 * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (const double radius : radii) {
+    const auto mine = ring_bumps(bumps, radius);
+    if (mine.size() < 10) continue;
+    std::vector<double> own;
+    for (const Bump& bump : mine) own.push_back(bump.radius);
+    const double middle = median(own);
+    for (const Bump& bump : mine) {
+      const Eigen::Vector2d along{std::cos(bump.direction), std::sin(bump.direction)};
+      const double off = bump.radius - middle;
+      const double weight = 1.0 / (1.0 + off * off);
+      normal += weight * along * along.transpose();
+      right += weight * off * along;
+    }
+  }
+  const Eigen::Vector2d shift = normal.ldlt().solve(right);
+  return {shift.x(), -shift.y()};
+}
+
+FoundRing measure(const std::vector<Bump>& bumps, double radius, double distance) {
+  std::vector<double> own;
+  for (const Bump& bump : ring_bumps(bumps, radius)) own.push_back(bump.radius);
+  FoundRing ring;
+  ring.directions = own.size();
+  ring.mark.distance = distance;
+  ring.mark.radius_px = median(own);
+  std::vector<double> off;
+  for (const double r : own) off.push_back(std::abs(r - ring.mark.radius_px));
+  ring.mark.sigma_px = std::max(0.05, kMadToSigma * median(off));
+  // Neighbouring directions share their pixels: about one independent look per 4 degrees.
+  const double looks = std::max(1.0, static_cast<double>(own.size()) / 8.0);
+  ring.sigma_mean_px = 1.2533 * ring.mark.sigma_px / std::sqrt(looks);
+  return ring;
+}
+
+// What the other rings say about each ring's radius, through the same curve that a camera uses.
+void leave_one_out(std::vector<FoundRing>& rings, double height) {
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    std::vector<Knot> knots{{0.0, 0.0}};
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      if (i == k) continue;
+      knots.push_back({rings[i].mark.radius_px, std::atan2(rings[i].mark.distance, height)});
+    }
+    const MonotoneCurve curve(std::move(knots));
+    const double angle = std::atan2(rings[k].mark.distance, height);
+    // The outermost ring has no neighbour outside; it would be an extrapolation.
+    rings[k].left_out_px =
+        k + 1 < rings.size() ? curve.inverse(angle) - rings[k].mark.radius_px : 0.0;
+  }
+}
+
+}  // namespace
+
+Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
+                                                     const RingRules& given) {
+  if (image.format != PixelFormat::kGrey || !is_whole(image)) {
+    return failure(RingFailure::kNotGrey);
+  }
+  RingRules rules = given;
+  const double directions = open_directions(rules);
+  std::vector<Bump> bumps;
+  std::vector<double> radii;
+  for (int round = 0; round < kCentreRounds; ++round) {
+    bumps = find_bumps(image, rules);
+    radii = vote(bumps, directions);
+    if (radii.empty()) return failure(RingFailure::kTooFew);
+    const Pixel shift = centre_shift(bumps, radii);
+    rules.centre = {rules.centre.u + shift.u, rules.centre.v + shift.v};
+    if (std::hypot(shift.u, shift.v) < 0.01) break;
+  }
+  RingCalibration result{rules.centre, {}};
+  const std::size_t count = std::min(radii.size(), rules.distances.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    result.rings.push_back(measure(bumps, radii[k], rules.distances[k]));
+  }
+  if (result.rings.size() < 3) return failure(RingFailure::kTooFew);
+  leave_one_out(result.rings, rules.mirror_height);
+  return result;
+}
+
+}  // namespace teamsight::vision
