@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include <google/protobuf/io/tokenizer.h>
@@ -47,7 +48,9 @@ std::string text_in(const std::filesystem::path& path) {
     throw complaint(
         path, {0, 0}, {"", "no readable file", "a settings file in protobuf text format"});
   }
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;  // not istreambuf_iterator: GCC 12 warns of its inside at -O2
+  text << file.rdbuf();
+  return text.str();
 }
 
 // Splits `row[2]` into name and index; -1 for a key that stands alone.
