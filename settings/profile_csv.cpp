@@ -62,6 +62,37 @@ double column_value(std::string_view& rest,
   return *value;
 }
 
+// The row on one line, which must lie further out than `before`.
+vision::ProfilePoint row_of(std::string_view rest,
+                            int line,
+                            const vision::ProfilePoint* before,
+                            const Complaint& complaint) {
+  const double x = column_value(rest, "x_m", line, complaint);
+  const double y = column_value(rest, "y_m", line, complaint);
+  if (before != nullptr && x <= before->x) {
+    throw complaint.at(line, "x_m", text_of(x), "more than the row before, " + text_of(before->x));
+  }
+  if (x < 0.0) throw complaint.at(line, "x_m", text_of(x), "at least 0");
+  return {x, y};
+}
+
+std::vector<vision::ProfilePoint> rows_of(std::istream& file, const Complaint& complaint) {
+  std::vector<vision::ProfilePoint> rows;
+  std::string text;
+  bool has_head = false;
+  for (int line = 1; std::getline(file, text); ++line) {
+    const std::string_view content = trimmed(text);
+    if (content.empty() || content.front() == '#') continue;
+    if (has_head) {
+      rows.push_back(row_of(content, line, rows.empty() ? nullptr : &rows.back(), complaint));
+    } else if (!content.starts_with(kColumns)) {
+      throw complaint.at(line, kColumns, "'" + std::string(content) + "'", "the head x_m,y_m");
+    }
+    has_head = true;
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<vision::ProfilePoint> read_profile(const std::filesystem::path& path) {
@@ -71,31 +102,7 @@ std::vector<vision::ProfilePoint> read_profile(const std::filesystem::path& path
   if (!file || !std::filesystem::is_regular_file(path, ignored)) {
     throw complaint.at(1, kColumns, "no readable file", "a CSV file");
   }
-  std::vector<vision::ProfilePoint> profile;
-  std::string text;
-  bool has_head = false;
-  for (int line = 1; std::getline(file, text); ++line) {
-    std::string_view rest = trimmed(text);
-    if (rest.empty() || rest.front() == '#') continue;
-    if (!has_head) {
-      if (!rest.starts_with(kColumns)) {
-        throw complaint.at(line, kColumns, "'" + std::string(rest) + "'", "the head x_m,y_m");
-      }
-      has_head = true;
-      continue;
-    }
-    const double x = column_value(rest, "x_m", line, complaint);
-    const double y = column_value(rest, "y_m", line, complaint);
-    if (x < 0.0 || (!profile.empty() && x <= profile.back().x)) {
-      throw complaint.at(line,
-                         "x_m",
-                         text_of(x),
-                         profile.empty()
-                             ? "at least 0"
-                             : "more than the row before, " + text_of(profile.back().x));
-    }
-    profile.push_back({x, y});
-  }
+  std::vector<vision::ProfilePoint> profile = rows_of(file, complaint);
   if (profile.size() < 3) {
     throw complaint.at(1, kColumns, std::to_string(profile.size()) + " rows", "at least 3 rows");
   }

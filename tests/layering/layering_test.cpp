@@ -36,7 +36,8 @@ const std::vector<Layer> kLayers = {
     {"monitor/",        {"geometry/", "settings/", "bus/", "process/"}},
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
                          "agent/frame_stream.hpp"}},  // the format of the pipe between the two
-    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/"}},
+    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
+                         "monitor/to_proto.hpp"}},  // `echo` prints a topic as the page gets it
     {"examples/",       {"geometry/", "client/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
                          "client/"}},
