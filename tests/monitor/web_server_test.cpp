@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include <boost/asio/connect.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <gmock/gmock.h>
 
+#include "tests/monitor/watcher.hpp"
 #include "tests/support/process.hpp"
 
 namespace teamsight::monitor {
@@ -22,6 +22,7 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using Tcp = asio::ip::tcp;
+using test::Watcher;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -37,16 +38,11 @@ WebServerSettings test_settings() {
 }
 
 std::string host_of(const WebServer& server) {
-  const std::string url = server.url();  // http://host:port/
-  return url.substr(7, url.size() - 8);
+  return test::host_of(server.url());
 }
 
 Tcp::socket connect_to(asio::io_context& io, const WebServer& server) {
-  const std::string host = host_of(server);
-  const auto port = static_cast<std::uint16_t>(std::stoul(host.substr(host.rfind(':') + 1)));
-  Tcp::socket socket(io);
-  socket.connect({asio::ip::make_address("127.0.0.1"), port});
-  return socket;
+  return test::connect_to(io, host_of(server));
 }
 
 using Request = http::request<http::string_body>;
@@ -68,39 +64,6 @@ Response ask(const WebServer& server, Request request) {
 Response get(const WebServer& server, const std::string& target) {
   return ask(server, {http::verb::get, target, 11});
 }
-
-/// One page that watches.
-class Watcher {
- public:
-  explicit Watcher(const WebServer& server, const std::string& origin = {})
-      : socket_(connect_to(io_, server)) {
-    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
-      if (!origin.empty()) request.set(http::field::origin, origin);
-    }));
-    socket_.handshake(host_of(server), "/live", error_);
-    is_refused_ = error_.failed();
-  }
-
-  /// Whether the handshake failed.
-  [[nodiscard]] bool is_refused() const { return is_refused_; }
-
-  void send(const std::string& text) { socket_.write(asio::buffer(text), error_); }
-
-  /// The next message; empty when the connection ended.
-  std::string next() {
-    beast::flat_buffer buffer;
-    socket_.read(buffer, error_);
-    return error_ ? std::string() : beast::buffers_to_string(buffer.data());
-  }
-
-  [[nodiscard]] unsigned close_code() const { return socket_.reason().code; }
-
- private:
-  asio::io_context io_;
-  beast::error_code error_;
-  bool is_refused_{false};
-  websocket::stream<Tcp::socket> socket_;
-};
 
 TEST(WebServer, ServesThePagesFilesWithTheirType) {
   const WebServer server(test_settings());
@@ -142,7 +105,7 @@ TEST(WebServer, AnswersHeadWithoutABodyAndRefusesOtherMethods) {
 TEST(WebServer, GreetsAndPushesEveryUpdate) {
   WebServer server(test_settings());
   server.publish({"[state 1]", "[event 1]"});
-  Watcher watcher(server, server.url().substr(0, server.url().size() - 1));
+  Watcher watcher(host_of(server), server.url().substr(0, server.url().size() - 1));
 
   const std::string first = watcher.next();
   server.publish({"[state 2]", ""});
@@ -156,7 +119,7 @@ TEST(WebServer, GreetsAndPushesEveryUpdate) {
 TEST(WebServer, RefusesAPageOfAnotherOrigin) {
   const WebServer server(test_settings());
 
-  const Watcher foreign(server, "http://evil.example");
+  const Watcher foreign(host_of(server), "http://evil.example");
   Request rebound(http::verb::get, "/", 11);
   rebound.set(http::field::host, "evil.example:8080");
 
@@ -168,8 +131,8 @@ TEST(WebServer, RefusesAPageOfAnotherOrigin) {
 TEST(WebServer, ClosesWhoeverSendsSomething) {
   WebServer server(test_settings());
   server.publish({"[state]", ""});
-  Watcher garbage(server);
-  Watcher huge(server);
+  Watcher garbage(host_of(server));
+  Watcher huge(host_of(server));
   ASSERT_EQ(garbage.next(), "hello [state]");
   ASSERT_EQ(huge.next(), "hello [state]");
 
@@ -204,7 +167,7 @@ TEST(WebServer, SurvivesBytesThatAreNoHttp) {
 TEST(WebServer, ASlowClientSkipsStatesButGetsEveryEvent) {
   WebServer server(test_settings());
   server.publish({"[state -1]", ""});
-  Watcher slow(server);
+  Watcher slow(host_of(server));
   ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
   constexpr int kStates = 1000;
   const std::string padding(50'000, '.');  // 50 MB in all: more than any socket buffer holds
@@ -239,7 +202,7 @@ TEST(WebServer, ClosesAClientThatFallsBehindWithEvents) {
   settings.max_queued_events = 20;
   WebServer server(std::move(settings));
   server.publish({"[state]", ""});
-  const Watcher stuck(server);
+  const Watcher stuck(host_of(server));
   ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
   const std::string padding(200'000, '.');
 
@@ -256,7 +219,7 @@ TEST(WebServer, TellsANewClientThePastEvents) {
   WebServer server(std::move(settings));
   for (const char* event : {"<1>", "<2>", "<3>"}) server.publish({"[s]", event});
 
-  Watcher late(server);
+  Watcher late(host_of(server));
 
   EXPECT_EQ(late.next(), "hello [s]<2><3>");
 }
@@ -266,10 +229,10 @@ TEST(WebServer, TakesNoMoreConnectionsThanItsBound) {
   settings.max_clients = 1;
   WebServer server(std::move(settings));
   server.publish({"[state]", ""});
-  Watcher first(server);
+  Watcher first(host_of(server));
   ASSERT_EQ(first.next(), "hello [state]");
 
-  const Watcher second(server);
+  const Watcher second(host_of(server));
 
   EXPECT_TRUE(second.is_refused());
   EXPECT_TRUE(test::wait_until([&]() { return server.counters().refused == 1U; }, kBound));

@@ -1,0 +1,181 @@
+// monitor/web/tests/page.test.ts: the parts of the page that compute.
+import { create } from "@bufbuild/protobuf";
+import { describe, expect, it } from "vitest";
+import { liveAddress, pauseBefore } from "../src/connection";
+import { ellipseOf } from "../src/ellipse";
+import * as format from "../src/format";
+import { MonitorUpdateSchema, RobotRowSchema } from "../src/generated/monitor_pb";
+import { PostureStatus } from "../src/generated/recording_pb";
+import { markOf, sceneOf } from "../src/scene";
+import { cameraCell, halfCell, linkCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
+import { View } from "../src/view";
+
+describe("ellipseOf", () => {
+  it("takes the axes from a diagonal covariance", () => {
+    const ellipse = ellipseOf(4, 0, 1)!;
+
+    expect(ellipse.major).toBeCloseTo(2 * Math.sqrt(5.991), 9);
+    expect(ellipse.minor).toBeCloseTo(Math.sqrt(5.991), 9);
+    expect(ellipse.angle).toBeCloseTo(0, 9);
+  });
+
+  it("turns with the covariance", () => {
+    for (const angle of [-1.4, -0.5, 0.3, 1.2]) {
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
+      const [large, small] = [9, 0.25];
+      const ellipse = ellipseOf(large * c * c + small * s * s, (large - small) * c * s, large * s * s + small * c * c)!;
+
+      expect(ellipse.angle).toBeCloseTo(angle, 9);
+      expect(ellipse.major / ellipse.minor).toBeCloseTo(6, 9);
+    }
+  });
+
+  it("draws nothing for what is no covariance", () => {
+    expect(ellipseOf(1, 2, 1)).toBeUndefined();
+    expect(ellipseOf(0, 0, 0)).toBeUndefined();
+    expect(ellipseOf(-1, 0, 1)).toBeUndefined();
+    expect(ellipseOf(NaN, 0, 1)).toBeUndefined();
+    expect(ellipseOf(Infinity, 0, 1)).toBeUndefined();
+  });
+});
+
+describe("View", () => {
+  it("has y up and turns counter-clockwise angles over", () => {
+    const view = new View(false);
+
+    expect(view.place(2, 3)).toEqual({ x: 200, y: -300 });
+    expect(view.rotation(Math.PI / 2)).toBeCloseTo(-90, 9);
+  });
+
+  it("flipped looks from the other side", () => {
+    const view = new View(true);
+
+    expect(view.place(2, 3)).toEqual({ x: -200, y: 300 });
+    expect(view.rotation(0)).toBeCloseTo(180, 9);
+    expect(view.rotation(Math.PI)).toBeCloseTo(0, 9);
+  });
+});
+
+describe("format", () => {
+  it("tells ages in the unit that reads best", () => {
+    expect(format.age(37.4)).toBe("37 ms");
+    expect(format.age(2340)).toBe("2.3 s");
+    expect(format.age(150_000)).toBe("2 min");
+    expect(format.age(7_300_000)).toBe("2 h");
+    expect(format.age(NaN)).toBe(format.UNKNOWN);
+    expect(format.age(Infinity)).toBe(format.UNKNOWN);
+  });
+
+  it("has three grades of freshness", () => {
+    expect([0, 199, 200, 999, 1000, NaN].map(format.freshness)).toEqual(["fresh", "fresh", "late", "late", "lost", "lost"]);
+  });
+
+  it("keeps small shares visible", () => {
+    expect(format.percent(0)).toBe("0 %");
+    expect(format.percent(0.012)).toBe("1.2 %");
+    expect(format.percent(0.02)).toBe("2 %");
+    expect(format.percent(0.97)).toBe("97 %");
+  });
+
+  it("says that a latency is not known", () => {
+    expect(format.latency(-1)).toBe(format.UNKNOWN);
+    expect(format.latency(8.26)).toBe("8.3");
+    expect(format.latency(27.6)).toBe("28");
+  });
+
+  it("reads masks, odds and quarantines", () => {
+    expect(format.robotsIn(0b10000000_00010110)).toEqual([2, 3, 5, 16]);
+    expect(format.halfProbability(0)).toBe(0.5);
+    expect(format.halfProbability(-40)).toBeLessThan(0.001);
+    expect(format.quarantine(3)).toBe("mirrored");
+    expect(format.quarantine(99)).toBe("reason 99");
+  });
+});
+
+const posture = (status: PostureStatus) => ({ status, halfLogOdds: 5, inlierRatio: 0.9, linePoints: 80, posture: { xM: 1, yM: 2, thetaRad: 0.5, cov: [0.01, 0, 0, 0.04, 0, 0.001] } });
+
+const row = (fields: object) => create(RobotRowSchema, { robotId: 2, alive: true, ageMs: 30, ...fields });
+
+describe("a row of the table", () => {
+  it("shows a lost link, a late one and a shared id", () => {
+    expect(linkCell(row({}), 10)).toEqual({ text: "40 ms", tone: "good" });
+    expect(linkCell(row({}), 300).tone).toBe("warn");
+    expect(linkCell(row({ alive: false, ageMs: 4000 }), 0)).toEqual({ text: "lost 4.0 s", tone: "bad" });
+    expect(linkCell(row({ duplicate: true }), 0).text).toBe("id used twice");
+  });
+
+  it("shows the posture with the wider of its sigmas", () => {
+    expect(postureCell(row({ state: { posture: posture(PostureStatus.POSTURE_OK) } })).text).toBe("ok ±20 cm");
+    expect(postureCell(row({ state: { posture: posture(PostureStatus.POSTURE_LOST) } })).tone).toBe("bad");
+    expect(postureCell(row({})).text).toBe(format.UNKNOWN);
+  });
+
+  it("shows no half for a robot that is lost", () => {
+    expect(halfCell(row({ state: { posture: posture(PostureStatus.POSTURE_LOST) } })).text).toBe(format.UNKNOWN);
+    expect(halfCell(row({ state: { posture: posture(PostureStatus.POSTURE_OK) } })).tone).toBe("good");
+  });
+
+  it("shows cameras, trust and what was not used", () => {
+    expect(cameraCell(row({ state: { cameraLost: true } })).tone).toBe("bad");
+    expect(cameraCell(row({ state: { frameRateHz: 24.8 } })).text).toBe("25 Hz");
+    expect(trustCell(row({ explained: { trust: 0.1, quarantine: 4 } }), undefined).text).toBe("kidnapped");
+    expect(rejectedCell(row({ explained: { rejectedGate: 3, rejectedLate: 12 } })).text).toBe("12 late +");
+    expect(rejectedCell(row({ explained: {} })).text).toBe("0");
+  });
+});
+
+describe("sceneOf", () => {
+  const world = { teammates: [{ robotId: 2, status: PostureStatus.POSTURE_OK, ageMs: 20, posture: { xM: 3, yM: 1, thetaRad: 0, cov: [0.01, 0, 0, 0.01, 0, 0.01] } }] };
+
+  it("prefers the fused posture to the robot's own word", () => {
+    const update = create(MonitorUpdateSchema, { world, robots: [row({ state: { posture: posture(PostureStatus.POSTURE_OK) } })] });
+
+    const [mark] = sceneOf(update, 0).robots;
+
+    expect(mark).toMatchObject({ id: 2, x: 3, y: 1, fused: true, freshness: "fresh" });
+  });
+
+  it("falls back to the robot's own word when no fusion speaks", () => {
+    const update = create(MonitorUpdateSchema, { robots: [row({ state: { posture: posture(PostureStatus.POSTURE_OK) } })] });
+
+    expect(sceneOf(update, 0).robots[0]).toMatchObject({ x: 1, y: 2, fused: false });
+  });
+
+  it("draws no robot that does not know where it is", () => {
+    const update = create(MonitorUpdateSchema, { robots: [row({ state: { posture: posture(PostureStatus.POSTURE_LOST) } })] });
+
+    expect(sceneOf(update, 0).robots).toEqual([]);
+  });
+
+  it("greys a robot out as time passes without news", () => {
+    const update = create(MonitorUpdateSchema, { world, robots: [row({})] });
+
+    expect(sceneOf(update, 500).robots[0]!.freshness).toBe("late");
+    expect(sceneOf(update, 1000).robots[0]!.freshness).toBe("lost");
+  });
+
+  it("greys a robot out that the fusion still remembers but nobody hears", () => {
+    const update = create(MonitorUpdateSchema, { world, robots: [row({ alive: false })] });
+
+    expect(sceneOf(update, 0).robots[0]!.freshness).toBe("lost");
+  });
+});
+
+describe("markOf", () => {
+  it("is live only with a connection, fresh updates and nothing to complain about", () => {
+    const update = create(MonitorUpdateSchema, {});
+
+    expect(markOf(update, true, 100).live).toBe(true);
+    expect(markOf(update, false, 100)).toMatchObject({ live: false, reason: expect.stringContaining("does not answer") });
+    expect(markOf(update, true, 1500).live).toBe(false);
+    expect(markOf(undefined, true, 0).live).toBe(false);
+    expect(markOf(create(MonitorUpdateSchema, { silence: "no fusion" }), true, 0)).toEqual({ live: false, reason: "no fusion" });
+  });
+});
+
+describe("connection", () => {
+  it("stands beside the page and waits longer after each failure", () => {
+    expect(liveAddress({ protocol: "http:", host: "127.0.0.1:8080" })).toBe("ws://127.0.0.1:8080/live");
+    expect([1, 2, 3, 4, 9].map(pauseBefore)).toEqual([250, 500, 1000, 2000, 2000]);
+  });
+});

@@ -1,0 +1,138 @@
+// tests/browser/page.mjs: what a person would do with the page, in headless Chromium.
+//
+// usage: node page.mjs SCENARIO URL FOLDER, with PAGE_DIR naming where playwright-core is installed.
+// One JSON line on stdout per thing seen; exit 0 if all was as it should be, 1 with the reason if not.
+import { mkdtempSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const { chromium } = createRequire(join(process.env.PAGE_DIR, "package.json"))("playwright-core");
+const [scenario, url, folder] = process.argv.slice(2);
+const BOUND = { timeout: 15_000 };
+
+const say = (what) => process.stdout.write(`${JSON.stringify(what)}\n`);
+const expect = (isTrue, what) => {
+  if (!isTrue) throw new Error(what);
+};
+
+const positionOf = (page, robot) =>
+  page.$eval(`.robot[data-robot="${robot}"]`, (mark) => ({ x: Number(mark.dataset.x), y: Number(mark.dataset.y) }));
+
+const waitForMark = (page, text) =>
+  page.waitForFunction((wanted) => document.getElementById("mark").textContent === wanted, text, BOUND);
+
+/** Everything on one screen: nothing to scroll, no panel outside or without size. */
+async function checkLayout(page) {
+  const faults = await page.evaluate(() => {
+    const found = [];
+    const root = document.documentElement;
+    if (root.scrollHeight > innerHeight || root.scrollWidth > innerWidth) found.push("the page scrolls");
+    for (const selector of [".bar", ".field", ".ball", ".processes", ".log", ".robots"]) {
+      const box = document.querySelector(selector).getBoundingClientRect();
+      if (box.width < 50 || box.height < 20) found.push(`${selector} has no size`);
+      if (box.right > innerWidth + 1 || box.bottom > innerHeight + 1) found.push(`${selector} sticks out`);
+    }
+    for (const cell of document.querySelectorAll("tbody td, th")) {
+      if (cell.scrollWidth > cell.clientWidth + 1) found.push(`"${cell.textContent}" does not fit`);
+    }
+    return found;
+  });
+  expect(faults.length === 0, faults.join("; "));
+}
+
+const scenarios = {
+  async shows(page) {
+    await waitForMark(page, "LIVE");
+    for (const robot of [1, 2, 3, 4, 5]) await page.waitForSelector(`.robot.fresh[data-robot="${robot}"]`, BOUND);
+    await page.waitForSelector(".ball-mark.fresh .body", BOUND);
+    expect((await page.$$(".obstacle")).length === 5, "expected five obstacles");
+    const before = await positionOf(page, 2);
+    await page.waitForFunction(
+      (old) => {
+        const mark = document.querySelector('.robot[data-robot="2"]');
+        return Math.hypot(Number(mark.dataset.x) - old.x, Number(mark.dataset.y) - old.y) > 0.1;
+      },
+      before,
+      BOUND,
+    );
+    say({ moved_from: before, to: await positionOf(page, 2) });
+    await page.waitForSelector(".robot.quarantined[data-robot=\"4\"]", BOUND);
+    await page.waitForFunction(() => document.querySelectorAll("tbody tr.fresh").length === 5, undefined, BOUND);
+    const log = await page.textContent("#log");
+    expect(log.includes("Robot 2 joined") && log.includes("leads"), `the log says: ${log}`);
+    for (const [width, height] of [[1280, 800], [1920, 1080]]) {
+      await page.setViewportSize({ width, height });
+      await page.waitForFunction((wanted) => innerWidth === wanted, width, BOUND);
+      await checkLayout(page);
+      await page.screenshot({ path: join(folder, `page-${width}x${height}.png`) });
+    }
+  },
+
+  async flips(page) {
+    await waitForMark(page, "LIVE");
+    const place = () => page.$eval('.robot[data-robot="1"]', (mark) => mark.getBoundingClientRect().x);
+    await page.waitForSelector('.robot[data-robot="1"]', BOUND);
+    const own = await place();
+    await page.keyboard.press("f");
+    await page.waitForFunction((x) => document.querySelector('.robot[data-robot="1"]').getBoundingClientRect().x > x + 200, own, BOUND);
+    await page.click("#flip");
+    await page.waitForFunction((x) => Math.abs(document.querySelector('.robot[data-robot="1"]').getBoundingClientRect().x - x) < 60, own, BOUND);
+  },
+
+  /** The test kills robot 2 when it reads "ready". */
+  async greys(page) {
+    await page.waitForSelector('.robot.fresh[data-robot="2"]', BOUND);
+    await page.waitForSelector('tbody tr.fresh[data-robot="2"]', BOUND);
+    say({ ready: true });
+    await page.waitForSelector('.robot.lost[data-robot="2"]', BOUND);
+    say({ lost_at_ms: Date.now() });
+    await page.waitForSelector('tbody tr.lost[data-robot="2"]', BOUND);
+    await page.waitForFunction(() => document.getElementById("log").textContent.includes("Robot 2 is silent"), undefined, BOUND);
+    expect(await page.$('.robot.fresh[data-robot="1"], .robot.late[data-robot="1"]'), "robot 1 greyed out as well");
+    await page.screenshot({ path: join(folder, "page-silent-robot.png") });
+  },
+
+  /** The test ends the station at "live" and starts it again at "gone". */
+  async reconnects(page) {
+    await waitForMark(page, "LIVE");
+    say({ live: true });
+    await waitForMark(page, "NO DATA");
+    await page.waitForFunction(() => document.getElementById("silence").textContent.includes("does not answer"), undefined, BOUND);
+    await page.screenshot({ path: join(folder, "page-no-station.png") });
+    say({ gone: true });
+    await waitForMark(page, "LIVE");
+  },
+
+  async explains(page) {
+    await waitForMark(page, "NO DATA");
+    await page.waitForFunction(() => document.getElementById("silence").textContent.includes("Nothing heard yet"), undefined, BOUND);
+    await page.screenshot({ path: join(folder, "page-nothing-heard.png") });
+  },
+};
+
+const profile = mkdtempSync(join(tmpdir(), "teamsight-chromium-"));
+const browser = await chromium.launchPersistentContext(profile, {
+  executablePath: "/usr/bin/chromium",
+  headless: true,
+  viewport: { width: 1280, height: 800 },
+  args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+});
+try {
+  const page = await browser.newPage();
+  const complaints = [];
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (message) => {
+    // A station that is away is not the page's fault.
+    if (message.type() === "error" && !message.text().includes("WebSocket")) complaints.push(message.text());
+  });
+  await page.goto(url);
+  await scenarios[scenario](page);
+  expect(complaints.length === 0, `the page complains: ${complaints.join("; ")}`);
+} catch (error) {
+  process.stderr.write(`${scenario}: ${error.message}\n`);
+  process.exitCode = 1;
+} finally {
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+}
