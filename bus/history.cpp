@@ -19,17 +19,19 @@ Result<std::uint32_t, Reject> History::judge(std::uint64_t instance,
     past = &remember_new();
   } else {
     if (id.sequence <= past->last.sequence) return failure(Reject::kDuplicate);
-    if (stamp && past->stamp && past->implausible < kSamplesToRelearn) {
-      const Duration skew = (*stamp - *past->stamp) - (received - past->received);
-      if (skew > kLargestSkew || skew < -kLargestSkew) {
-        ++past->implausible;
-        return failure(Reject::kImplausibleStamp);
-      }
+    if (stamp && !is_plausible(*past, *stamp, received)) {
+      ++past->implausible;
+      return failure(Reject::kImplausibleStamp);
     }
     lost = id.sequence - past->last.sequence - 1;
   }
   *past = Past{instance, id, stamp, received, 0, ++clock_};
   return lost;
+}
+
+bool History::is_plausible(const Past& past, PeerTime stamp, HostTime received) {
+  if (!past.stamp || past.implausible >= kSamplesToRelearn) return true;
+  return std::chrono::abs((stamp - *past.stamp) - (received - past.received)) <= kLargestSkew;
 }
 
 History::Past* History::find(std::uint64_t instance, const ObservationId& id) {

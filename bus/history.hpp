@@ -48,6 +48,7 @@ class History {
     std::uint64_t used{0};
   };
 
+  [[nodiscard]] static bool is_plausible(const Past& past, PeerTime stamp, HostTime received);
   Past* find(std::uint64_t instance, const ObservationId& id);
   Past& remember_new();
 

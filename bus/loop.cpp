@@ -5,9 +5,9 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,7 +27,7 @@ using Handler = std::function<void()>;
 
 int opened(int descriptor, const char* call) {
   if (descriptor >= 0) return descriptor;
-  throw BusError(std::string(call) + ": " + std::strerror(errno));
+  throw BusError(std::string(call) + ": " + std::generic_category().message(errno));
 }
 
 sigset_t ending_signals() {

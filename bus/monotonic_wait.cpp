@@ -29,12 +29,13 @@ std::int64_t magnitude(std::int64_t value) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): glibc's names are reserved
 extern "C" int pthread_cond_timedwait(pthread_cond_t* condition,
                                       pthread_mutex_t* mutex,
                                       const timespec* deadline) {
   // Out of range is the caller's error to hear about; a deadline centuries away needs no care.
-  constexpr std::int64_t kFarAway_s = 4'000'000'000;
-  const bool ordinary = deadline->tv_sec >= 0 && deadline->tv_sec < kFarAway_s &&
+  constexpr std::int64_t kFarAwaySeconds = 4'000'000'000;
+  const bool ordinary = deadline->tv_sec >= 0 && deadline->tv_sec < kFarAwaySeconds &&
                         deadline->tv_nsec >= 0 && deadline->tv_nsec < kNanosecondsPerSecond;
   if (!ordinary) return pthread_cond_clockwait(condition, mutex, CLOCK_REALTIME, deadline);
   const std::int64_t until = nanoseconds(*deadline);

@@ -100,7 +100,7 @@ MaybeFailure try_join(const DomainSettings& settings,
   if (handle < 0) return failure_of("dds_create_participant", handle);
   out.domain = domain;
   out.entity = Entity(handle);
-  registry().domains[settings.domain_id] = std::move(domain);
+  registry().domains[settings.domain_id] = domain;
   return std::nullopt;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -28,7 +27,7 @@ std::string read_file(const std::string& path) {
     fail(path, "is a directory, expected a file");
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (!file) fail(path, std::string("cannot be read: ") + std::generic_category().message(errno));
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -2,7 +2,8 @@
 #include "bus/subscription.hpp"
 
 #include <cerrno>
-#include <cstring>
+#include <string>
+#include <system_error>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -32,7 +33,8 @@ void on_liveliness(dds_entity_t /*reader*/,
 
 int make_event_fd() {
   const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (descriptor < 0) throw BusError(std::string("eventfd: ") + std::strerror(errno));
+  if (descriptor < 0)
+    throw BusError(std::string("eventfd: ") + std::generic_category().message(errno));
   return descriptor;
 }
 

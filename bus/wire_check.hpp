@@ -18,7 +18,7 @@ inline constexpr double kLargestSpeed = 100.0;     // m/s
 inline constexpr double kLargestTurn = 100.0;      // rad/s
 inline constexpr double kLargestLogOdds = 10'000.0;
 inline constexpr double kLargestAngle = 3.1416;  // rad; pi and the rounding of a float
-inline constexpr std::int64_t kLargestStamp_ns = 315'360'000'000'000'000;  // ten years of uptime
+inline constexpr std::int64_t kLargestStamp = 315'360'000'000'000'000;  // ns, ten years of uptime
 
 /// Collects the first broken rule of one wire sample. Every call states one rule.
 class WireCheck {
@@ -56,7 +56,7 @@ class WireCheck {
   }
 
   void stamp(std::int64_t nanoseconds) noexcept {
-    require(nanoseconds >= 0 && nanoseconds <= kLargestStamp_ns, Reject::kImplausibleStamp);
+    require(nanoseconds >= 0 && nanoseconds <= kLargestStamp, Reject::kImplausibleStamp);
   }
 
   /// Published after the exposure, both plausible.

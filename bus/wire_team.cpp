@@ -18,7 +18,7 @@ void check_robot(WireCheck& check, const teamsight_v1_ExplainedRobot& robot) {
   check.percent(robot.trust_percent);
   check.code(robot.quarantine, static_cast<std::uint8_t>(Quarantine::kDuplicateId));
   check.require(
-      std::abs(static_cast<double>(robot.clock_offset_ns)) <= static_cast<double>(kLargestStamp_ns),
+      std::abs(static_cast<double>(robot.clock_offset_ns)) <= static_cast<double>(kLargestStamp),
       Reject::kOutOfRange);
   check.between(robot.clock_sigma_ms, 0.0, 1e9);
 }

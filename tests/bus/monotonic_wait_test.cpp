@@ -10,9 +10,9 @@
 namespace teamsight::bus {
 namespace {
 
-constexpr int kWait_ms = 500;
+constexpr int kWait = 500;
 
-/// How long the library's wait of kWait_ms takes in a program that sees the wall clock five seconds
+/// How long the library's wait of kWait takes in a program that sees the wall clock five seconds
 /// ahead of the real one (shifted_clock.cpp), in ms.
 int wait_under_a_stepped_clock(const char* program) {
   test::ChildProcess child({program,
@@ -20,7 +20,7 @@ int wait_under_a_stepped_clock(const char* program) {
                             testing::profile_path("loopback.xml"),
                             std::to_string(test::unique_domain()),
                             "wait",
-                            std::to_string(kWait_ms)},
+                            std::to_string(kWait)},
                            {{"LD_PRELOAD", SHIFTED_CLOCK}});
   EXPECT_EQ(child.wait_exit(std::chrono::seconds(60)), 0) << child.err();
   return std::stoi("0" + child.out());
@@ -29,15 +29,15 @@ int wait_under_a_stepped_clock(const char* program) {
 TEST(MonotonicWait, KeepsTheLibrarysWaitsAsLongAsAsked) {
   const int took = wait_under_a_stepped_clock(CHILD_WITH_MONOTONIC_WAIT);
 
-  EXPECT_GE(took, kWait_ms);
-  EXPECT_LT(took, kWait_ms + 2500);
+  EXPECT_GE(took, kWait);
+  EXPECT_LT(took, kWait + 2500);
 }
 
 // The trouble itself, so that a library that no longer has it is noticed.
 TEST(MonotonicWait, IsNeededByThisVersionOfTheLibrary) {
   const int took = wait_under_a_stepped_clock(CHILD_WITHOUT_MONOTONIC_WAIT);
 
-  EXPECT_GE(took, kWait_ms + 4500);
+  EXPECT_GE(took, kWait + 4500);
 }
 
 }  // namespace
