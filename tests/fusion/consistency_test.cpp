@@ -34,9 +34,12 @@ class SquaredErrors {
 
   /// Within 3.3 standard deviations (99.9 %) of a chi-square mean, plus `slack` for what is known
   /// to be approximate: relative, dimensionless.
-  void expect_chi_square(int degrees, double slack) const {
+  /// @param each  how many pairs of degrees of freedom each added number is a mean of; 0 = it is
+  /// none
+  void expect_chi_square(int degrees, double slack, int each = 0) const {
     ASSERT_GT(count_, 100);
-    const double spread = 3.3 * std::sqrt(2.0 * degrees / count_);
+    const double samples = each == 0 ? count_ : 2.0 * each * count_;
+    const double spread = 3.3 * std::sqrt(2.0 * degrees / samples);
     EXPECT_NEAR(sum_ / count_, degrees, spread + slack * degrees) << "over " << count_;
   }
 
@@ -90,11 +93,13 @@ WorldModel watch(std::uint64_t seed, Mover& ball, Mover& opponent, Report& repor
   return fusion.world_at(now);
 }
 
-TEST(FusionConsistency, BallAndObstacleErrorsFitTheirCovariances) {
+TEST(FusionConsistency, ErrorsAndInnovationsFitTheirCovariances) {
   SquaredErrors ball_position;
   SquaredErrors ball_velocity;
   SquaredErrors obstacle_position;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  SquaredErrors ball_innovation;
+  SquaredErrors obstacle_innovation;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     Mover ball;
     Mover opponent;
     Report report;
@@ -107,30 +112,18 @@ TEST(FusionConsistency, BallAndObstacleErrorsFitTheirCovariances) {
                       seen.cov_v.topLeftCorner<2, 2>());
     obstacle_position.add(world.obstacles.front().p_FO.vector() - opponent.p_F,
                           world.obstacles.front().cov_p);
+    for (const TrackReport& track : report.tracks) {
+      (track.is_ball ? ball_innovation : obstacle_innovation).add(track.nis);
+    }
   }
 
   // A ray's range is not linear in its elevation: 5 %.
   ball_position.expect_chi_square(2, 0.05);
   ball_velocity.expect_chi_square(2, 0.05);
   obstacle_position.expect_chi_square(2, 0.05);
-}
-
-TEST(FusionConsistency, InnovationsFitTheirCovariances) {
-  SquaredErrors ball;
-  SquaredErrors obstacle;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    Mover rolling;
-    Mover opponent;
-    Report report;
-    (void)watch(1000 + seed, rolling, opponent, report);
-    for (const TrackReport& track : report.tracks) {
-      // 90 observations: their mean spreads a tenth as far as one would, per two degrees.
-      (track.is_ball ? ball : obstacle).add(track.nis);
-    }
-  }
-
-  ball.expect_chi_square(1, 0.05);
-  obstacle.expect_chi_square(1, 0.05);
+  // Each is a mean over 90 innovations: far tighter than one, per two degrees of freedom.
+  ball_innovation.expect_chi_square(1, 0.05, 90);
+  obstacle_innovation.expect_chi_square(1, 0.05, 90);
 }
 
 TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {

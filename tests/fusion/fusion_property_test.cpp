@@ -61,7 +61,7 @@ WorldModel world_of_all(const std::vector<Observation>& observations, HostTime n
 }
 
 TEST(FusionProperty, IgnoresOrderOfArrivalAndDuplicatesToTheLastBit) {
-  test::check_property(20010802, 40, [] {
+  test::check_property(20010802, 15, [] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const auto observations = any_observations(seed, 8, 0.45);
     auto shuffled = observations;
@@ -104,7 +104,7 @@ WorldModel world_after_arrivals(const std::vector<Observation>& observations,
 }
 
 TEST(FusionProperty, DelaysWithinTheLagChangeNothingOverSeconds) {
-  test::check_property(20010803, 10, [] {
+  test::check_property(20010803, 4, [] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const auto observations = any_observations(seed, 40, 2.0);
     Random one(seed + 1);
@@ -116,7 +116,7 @@ TEST(FusionProperty, DelaysWithinTheLagChangeNothingOverSeconds) {
 }
 
 TEST(FusionProperty, MirroringTheFieldMirrorsTheWorld) {
-  test::check_property(20010804, 20, [] {
+  test::check_property(20010804, 8, [] {
     const auto observations = any_observations(*rc::gen::arbitrary<std::uint64_t>(), 12, 0.45);
     auto turned = observations;
     const Eigen::Vector3d signs(-1.0, -1.0, 1.0);
@@ -142,7 +142,7 @@ TEST(FusionProperty, MirroringTheFieldMirrorsTheWorld) {
 }
 
 TEST(FusionProperty, EveryCovarianceStaysACovarianceAndEveryProbabilityOne) {
-  test::check_property(20010805, 20, [] {
+  test::check_property(20010805, 8, [] {
     const auto observations = any_observations(*rc::gen::arbitrary<std::uint64_t>(), 12, 0.45);
     const double later = *rc::gen::inRange(0, 2000) / 1000.0;
     Fusion fusion = make_fusion();
