@@ -24,7 +24,7 @@ const DASH = cell(format.UNKNOWN, "dim");
 export function linkCell(row: RobotRow, sinceUpdateMs: number): Cell {
   const ageMs = row.ageMs + sinceUpdateMs;
   if (row.duplicate) return cell("id used twice", "bad", "Two processes speak under this id");
-  if (!row.alive) return cell(`lost ${format.age(ageMs)}`, "bad");
+  if (!row.alive) return cell(`lost ${ageMs < 60_000 ? `${(ageMs / 1000).toFixed(1)} s` : format.age(ageMs)}`, "bad");
   const tones = { fresh: "good", late: "warn", lost: "bad" } as const;
   return cell(format.age(ageMs), tones[format.freshness(ageMs)]);
 }
