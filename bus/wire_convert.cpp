@@ -55,7 +55,7 @@ void Encoding::text(const std::string& from, char* to, std::size_t size) noexcep
   const bool whole = from.size() < size && from.find('\0') == std::string::npos;
   if (!whole) refuse(Reject::kUnbounded);
   std::memset(to, 0, size);
-  if (whole) std::memcpy(to, from.data(), from.size());
+  if (whole) from.copy(to, from.size());
 }
 
 bool Encoding::fits(std::size_t length, std::size_t bound) noexcept {

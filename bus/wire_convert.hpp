@@ -70,11 +70,11 @@ void write_triangle(const Eigen::Matrix<double, Size, Size>& cov, float* out) {
 [[nodiscard]] teamsight_v1_SampleId to_wire(const ObservationId& id);
 
 template <class A, class B>
-[[nodiscard]] teamsight_v1_Posture to_wire(const Pose<A, B>& X, const Eigen::Matrix3d& cov) {
+[[nodiscard]] teamsight_v1_Posture to_wire(const Pose<A, B>& X_AB, const Eigen::Matrix3d& cov) {
   teamsight_v1_Posture wire{};
-  wire.x_m = single(X.x());
-  wire.y_m = single(X.y());
-  wire.theta_rad = single(X.theta());
+  wire.x_m = single(X_AB.x());
+  wire.y_m = single(X_AB.y());
+  wire.theta_rad = single(X_AB.theta());
   write_triangle<3>(cov, wire.cov);
   return wire;
 }
@@ -95,10 +95,8 @@ void lend(Storage& storage, std::size_t length, Sequence& sequence) {
 template <int Size>
 [[nodiscard]] Eigen::Matrix<double, Size, Size> symmetric(const float* triangle) {
   Eigen::Matrix<double, Size, Size> cov;
-  for (int row = 0; row < Size; ++row) {
-    for (int column = row; column < Size; ++column) {
-      cov(row, column) = cov(column, row) = static_cast<double>(*triangle++);
-    }
+  for (int i = 0; i < Size; ++i) {
+    for (int j = i; j < Size; ++j) cov(i, j) = cov(j, i) = static_cast<double>(*triangle++);
   }
   return cov;
 }
