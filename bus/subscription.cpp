@@ -68,7 +68,7 @@ Subscription::~Subscription() {
   ::close(event_fd_);
 }
 
-void Subscription::clear_event() noexcept {
+void Subscription::clear_event() const noexcept {
   std::uint64_t count = 0;
   [[maybe_unused]] const ssize_t got = ::read(event_fd_, &count, sizeof count);
 }

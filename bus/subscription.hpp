@@ -25,7 +25,7 @@ class Subscription {
   /// Readable when something changed since the last `clear_event`.
   [[nodiscard]] int event_fd() const noexcept { return event_fd_; }
 
-  void clear_event() noexcept;
+  void clear_event() const noexcept;
 
   [[nodiscard]] dds_entity_t handle() const noexcept { return reader_.handle(); }
 
@@ -61,7 +61,7 @@ class Loan {
   dds_entity_t reader_;
   std::size_t count_{0};
   std::array<void*, kBatch> samples_{};
-  std::array<dds_sample_info_t, kBatch> infos_;
+  std::array<dds_sample_info_t, kBatch> infos_{};
 };
 
 }  // namespace teamsight::bus
