@@ -2,6 +2,7 @@
 #include "geometry/uncertainty.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 
@@ -29,14 +30,18 @@ bool is_symmetric(const Eigen::Ref<const Eigen::MatrixXd>& cov) {
 }
 
 // Probability that a chi-square variable exceeds `value`: the closed sums for whole degrees of
-// freedom, sum of h^i / i! (even) or h^(i - 1/2) / (i - 1/2)! (odd), times exp(-h), with h =
+// freedom, sum of h^i / i! (even) or h^(i + 1/2) / (i + 1/2)! (odd), times exp(-h), with h =
 // value/2.
 double chi_square_tail(int degrees_of_freedom, double value) {
   const double half = 0.5 * value;
   const bool is_odd = degrees_of_freedom % 2 == 1;
+  double power = is_odd ? 0.5 : 0.0;
+  double term = std::exp(-half) * (is_odd ? 2.0 * std::sqrt(half * std::numbers::inv_pi) : 1.0);
   double tail = is_odd ? std::erfc(std::sqrt(half)) : 0.0;
-  for (double power = is_odd ? 0.5 : 0.0; power < 0.5 * degrees_of_freedom - 0.25; power += 1.0) {
-    tail += std::exp(power * std::log(half) - half - std::lgamma(power + 1.0));
+  for (int i = 0; i < degrees_of_freedom / 2; ++i) {
+    tail += term;
+    power += 1.0;
+    term *= half / power;
   }
   return tail;
 }
