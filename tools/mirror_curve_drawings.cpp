@@ -97,7 +97,8 @@ void mark_image_radii(Panel& panel, const Mirror& mirror) {
     return;
   }
   const auto& s = *mirror.multi_part;
-  for (const auto& [name, node] : {std::pair{"A", s.A}, std::pair{"B", s.B}, std::pair{"C", s.C}}) {
+  for (const auto& [name, node] :
+       {std::pair{"A", s.point_A}, std::pair{"B", s.point_B}, std::pair{"C", s.point_C}}) {
     const double radius = mirror.assembly.focal_px * node.x / node.y;
     panel.lines.push_back({.label = "",
                            .colour = "#888888",
@@ -106,7 +107,7 @@ void mark_image_radii(Panel& panel, const Mirror& mirror) {
                            .is_dashed = true});
     panel.marks.push_back({{radius, 0.25 * panel.y.high},
                            fmt::format("{} {:.0f}", name, radius),
-                           5.0,
+                           radius > 0.9 * panel.x.high ? -5.0 : 5.0,
                            0.0,
                            "#444444",
                            false});

@@ -95,13 +95,13 @@ void mark_points(Panel& panel, const Mirror& mirror) {
     return;
   }
   const auto& s = *mirror.multi_part;
-  panel.marks.push_back({{s.A.x * kMm, s.A.y * kMm}, "A", -9.0, -8.0});
-  panel.marks.push_back({{s.B.x * kMm, s.B.y * kMm}, "B", -5.0, -11.0});
-  panel.marks.push_back({{s.C.x * kMm, s.C.y * kMm}, "C", 5.0, -10.0});
+  panel.marks.push_back({{s.point_A.x * kMm, s.point_A.y * kMm}, "A", -9.0, -8.0});
+  panel.marks.push_back({{s.point_B.x * kMm, s.point_B.y * kMm}, "B", -5.0, -11.0});
+  panel.marks.push_back({{s.point_C.x * kMm, s.point_C.y * kMm}, "C", 5.0, -10.0});
 }
 
 Panel mirror_panel(const Mirror& mirror, PartColours& colours) {
-  Panel panel{.title = mirror.name + ": the mirror",
+  Panel panel{.title = mirror.name + ": the mirror, to scale",
               .x = {},
               .y = {},
               .areas = {},
@@ -196,7 +196,7 @@ Panel close_panel(const Mirror& mirror, PartColours& colours) {
                            .points = {{0.0, 0.004}, {*blind, 0.004}},
                            .width_px = 5.0});
     panel.marks.push_back(
-        {{*blind, 0.004}, fmt::format("blind up to {:.2f} m", *blind), 8.0, -8.0, "#b00020"});
+        {{*blind, 0.004}, fmt::format("blind up to {:.2f} m", *blind), 70.0, -10.0, "#b00020"});
   }
   return panel;
 }
@@ -206,7 +206,7 @@ void add_farthest_ray(Panel& panel, const Mirror& mirror) {
   if (!mirror.multi_part) {
     return;
   }
-  const mirror::Ray ray = mirror::reflect(1, mirror.multi_part->B);
+  const mirror::Ray ray = mirror::reflect(1, mirror.multi_part->point_B);
   const auto height = [&](double distance) {
     return mirror::height_at(ray, mirror.assembly.pinhole_height, distance).value_or(kNowhere);
   };

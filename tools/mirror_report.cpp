@@ -114,24 +114,25 @@ void add_multi_part(Json& report, const Mirror& mirror) {
   }
   const auto& s = *mirror.multi_part;
   const double focal = mirror.assembly.focal_px;
-  report["points"] = {
-      {"A", point_json(s.A, focal)}, {"B", point_json(s.B, focal)}, {"C", point_json(s.C, focal)}};
+  report["points"] = {{"A", point_json(s.point_A, focal)},
+                      {"B", point_json(s.point_B, focal)},
+                      {"C", point_json(s.point_C, focal)}};
   report["isometric"] = {{"eta_m", s.isometric.eta},
                          {"mm_per_px", 1e3 * s.isometric.eta / focal},
                          {"range_m", s.isometric.eta * s.isometric.tan_end}};
-  const mirror::Ray ray_B = mirror::reflect(1, s.B);
+  const mirror::Ray ray_B = mirror::reflect(1, s.point_B);
   report["ray_of_B"] = {{"distance_m", s.parameters.max_distance},
                         {"height_m",
                          or_null(mirror::height_at(
                              ray_B, mirror.assembly.pinhole_height, s.parameters.max_distance))},
                         {"elevation_deg", ray_B.psi / kDegree - 90.0}};
-  const double angle = std::atan(s.A.slope);
+  const double angle = std::atan(s.point_A.slope);
   const bool is_straight = std::abs(s.arc.curvature) < 1e-9;
   const double radius = is_straight ? 0.0 : 1.0 / s.arc.curvature;
   report["arc"] = {
       {"radius_m", is_straight ? Json(nullptr) : Json(radius)},
-      {"centre_x_m", is_straight ? Json(nullptr) : Json(s.A.x - radius * std::sin(angle))},
-      {"centre_y_m", is_straight ? Json(nullptr) : Json(s.A.y + radius * std::cos(angle))}};
+      {"centre_x_m", is_straight ? Json(nullptr) : Json(s.point_A.x - radius * std::sin(angle))},
+      {"centre_y_m", is_straight ? Json(nullptr) : Json(s.point_A.y + radius * std::cos(angle))}};
 }
 
 Json integration_json(const Mirror& mirror) {

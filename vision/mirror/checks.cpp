@@ -48,6 +48,19 @@ std::optional<Failure> check_order(const Node& a, const Node& b) {
       fmt::format("not a function: x goes back by {:.3g} m behind x = {:.6f} m", a.x - b.x, a.x));
 }
 
+std::optional<Failure> check_part(const Part& part) {
+  for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+    auto failed = check_node(part.nodes[k]);
+    if (!failed && k > 0) {
+      failed = check_order(part.nodes[k - 1], part.nodes[k]);
+    }
+    if (failed) {
+      return failed;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Failure> check_joint(const Part& inner, const Part& outer, Worst& jump) {
   const Node& a = inner.nodes.back();
   const Node& b = outer.nodes.front();
@@ -82,28 +95,34 @@ std::optional<Failure> check_joint(const Part& inner, const Part& outer, Worst& 
   return std::nullopt;
 }
 
+std::optional<Failure> check_bends(const Part& part) {
+  for (std::size_t k = 1; k < part.nodes.size(); ++k) {
+    const Node& a = part.nodes[k - 1];
+    const Node& b = part.nodes[k];
+    const double chord = (b.y - a.y) / (b.x - a.x);
+    const double bend = std::max(std::abs(b.slope - a.slope), std::abs(chord - b.slope));
+    if (bend > kNodeSlopeJump * (1.0 + b.slope * b.slope)) {
+      return fault(Condition::kSlopeJump,
+                   bend,
+                   fmt::format("slope jump: {:.4f} inside {} at x = {:.6f} m, at most {:.1f} "
+                               "between two points",
+                               bend,
+                               part.name,
+                               b.x,
+                               kNodeSlopeJump * (1.0 + b.slope * b.slope)));
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Failure> check_slopes(const Profile& profile, Worst& jump) {
   for (std::size_t i = 0; i < profile.parts.size(); ++i) {
-    const auto& nodes = profile.parts[i].nodes;
-    for (std::size_t k = 1; k < nodes.size(); ++k) {
-      const double step = std::abs(nodes[k].slope - nodes[k - 1].slope);
-      const double chord = (nodes[k].y - nodes[k - 1].y) / (nodes[k].x - nodes[k - 1].x);
-      const double bend = std::max(step, std::abs(chord - nodes[k].slope));
-      if (bend > kNodeSlopeJump * (1.0 + nodes[k].slope * nodes[k].slope)) {
-        return fault(Condition::kSlopeJump,
-                     bend,
-                     fmt::format("slope jump: {:.4f} inside {} at x = {:.6f} m, at most {:.1f} "
-                                 "between two points",
-                                 bend,
-                                 profile.parts[i].name,
-                                 nodes[k].x,
-                                 kNodeSlopeJump));
-      }
+    auto failed = check_bends(profile.parts[i]);
+    if (!failed && i > 0) {
+      failed = check_joint(profile.parts[i - 1], profile.parts[i], jump);
     }
-    if (i > 0) {
-      if (auto failed = check_joint(profile.parts[i - 1], profile.parts[i], jump)) {
-        return failed;
-      }
+    if (failed) {
+      return failed;
     }
   }
   return std::nullopt;
@@ -253,16 +272,8 @@ std::optional<Failure> check_rays(const std::vector<Ray>& rays, Margins& margins
 
 std::optional<Failure> check_function(const Profile& profile) {
   for (const Part& part : profile.parts) {
-    for (std::size_t k = 0; k < part.nodes.size(); ++k) {
-      if (auto failed = check_node(part.nodes[k])) {
-        return failed;
-      }
-      if (k == 0) {
-        continue;
-      }
-      if (auto failed = check_order(part.nodes[k - 1], part.nodes[k])) {
-        return failed;
-      }
+    if (auto failed = check_part(part)) {
+      return failed;
     }
   }
   return std::nullopt;

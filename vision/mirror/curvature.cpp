@@ -8,10 +8,10 @@
 namespace teamsight::mirror {
 
 double outer_slope_angle(
-    double tan_alpha_B, double x_B, double height_B, double max_distance, double max_height) {
+    double t_B, double x_B, double height_B, double max_distance, double max_height) {
   TEAMSIGHT_EXPECT(max_distance > x_B);
   const double psi = std::atan2(max_distance - x_B, height_B - max_height);
-  return 0.5 * (psi - std::atan(tan_alpha_B));
+  return 0.5 * (psi - std::atan(t_B));
 }
 
 Arc make_arc(const Node& start, double end_x, double end_angle) {

@@ -10,14 +10,14 @@ namespace teamsight::mirror {
 
 /// The slope angle at B that makes its ray pass the height `max_height` at `max_distance`.
 ///
-/// @param tan_alpha_B   tangent of the camera ray to B
+/// @param t_B   tangent of the camera ray to B
 /// @param x_B           distance of B from the axis; m
 /// @param height_B      of B over the floor; m
 /// @param max_distance  from the axis; m, more than x_B
 /// @param max_height    over the floor; m
 /// @return gamma_B, angle of the tangent over the horizontal; rad
 [[nodiscard]] double outer_slope_angle(
-    double tan_alpha_B, double x_B, double height_B, double max_distance, double max_height);
+    double t_B, double x_B, double height_B, double max_distance, double max_height);
 
 /// The circle through A with A's tangent on which the slope angle reaches gamma_B at x_B.
 struct Arc {

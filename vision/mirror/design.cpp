@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,23 +18,21 @@ struct Draft {
   std::optional<MultiPartSolution> multi_part;
 };
 
-Result<Draft, Failure> make_draft(const MirrorParameters& parameters) {
-  return std::visit(
-      [&](const auto& shape) -> Result<Draft, Failure> {
-        using Kind = std::decay_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Kind, GivenProfile>) {
-          return Draft{shape.profile, std::nullopt};
-        } else if constexpr (std::is_same_v<Kind, MultiPart>) {
-          return solve(shape, parameters.rim).map([](const MultiPartSolution& solution) {
-            return Draft{solution.profile(), solution};
-          });
-        } else {
-          return make_profile(shape, parameters.rim, kIntervals).map([](const Profile& profile) {
-            return Draft{profile, std::nullopt};
-          });
-        }
-      },
-      parameters.shape);
+Result<Draft, Failure> make_draft(const GivenProfile& shape, const Rim& /*its own*/) {
+  return Draft{shape.profile, std::nullopt};
+}
+
+Result<Draft, Failure> make_draft(const MultiPart& shape, const Rim& rim) {
+  return solve(shape, rim).map([](const MultiPartSolution& solution) {
+    return Draft{solution.profile(), solution};
+  });
+}
+
+template <class Classical>
+Result<Draft, Failure> make_draft(const Classical& shape, const Rim& rim) {
+  return make_profile(shape, rim, kIntervals).map([](const Profile& profile) {
+    return Draft{profile, std::nullopt};
+  });
 }
 
 double focal_of(const std::variant<RimRadiusPx, FocalPx>& scale, const Node& rim) {
@@ -55,7 +52,8 @@ std::optional<IntegrationDifference> compare(const MultiPartSolution& solution,
 }  // namespace
 
 Result<Mirror, Failure> design(const MirrorParameters& parameters) {
-  auto draft = make_draft(parameters);
+  auto draft = std::visit([&](const auto& shape) { return make_draft(shape, parameters.rim); },
+                          parameters.shape);
   if (!draft) {
     return failure(draft.error());
   }

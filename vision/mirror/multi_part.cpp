@@ -20,7 +20,7 @@ constexpr std::size_t kRingIntervals = 40;
 /// Everything but the apex.
 struct Frame {
   IsometricParameters isometric;
-  Node B;
+  Node point_B;
   double ring_end{0.0};
 };
 
@@ -68,14 +68,15 @@ std::optional<Node> end_of_isometric(IsometricParameters p, double apex, double 
 /// By how much the arc from A passes above B; m. Continued by A's own height over B where A lies
 /// further out, so that it is continuous and vanishes only where there is an arc.
 std::optional<double> closure(const Frame& frame, double apex, double tolerance) {
-  const auto A = end_of_isometric(frame.isometric, apex, tolerance);
-  if (!A) {
+  const auto end = end_of_isometric(frame.isometric, apex, tolerance);
+  if (!end) {
     return std::nullopt;
   }
-  if (A->x >= frame.B.x) {
-    return A->y - frame.B.y;
+  if (end->x >= frame.point_B.x) {
+    return end->y - frame.point_B.y;
   }
-  return at(make_arc(*A, frame.B.x, std::atan(frame.B.slope)), frame.B.x).y - frame.B.y;
+  return at(make_arc(*end, frame.point_B.x, std::atan(frame.point_B.slope)), frame.point_B.x).y -
+         frame.point_B.y;
 }
 
 struct Bracket {
@@ -90,7 +91,7 @@ Bracket find_bracket(const Frame& frame) {
   std::optional<double> before;
   double apex_before = 0.0;
   for (int i = 1; i <= kSteps; ++i) {
-    const double apex = frame.B.y * static_cast<double>(i) / kSteps;
+    const double apex = frame.point_B.y * static_cast<double>(i) / kSteps;
     const auto miss = closure(frame, apex, 1e-9);
     if (miss && std::abs(*miss) < std::abs(bracket.smallest_miss)) {
       bracket.smallest_miss = *miss;
@@ -137,10 +138,10 @@ Result<MultiPartSolution, Failure> solve(const MultiPart& parameters, const Rim&
   solution.parameters = parameters;
   solution.isometric = frame->isometric;
   solution.isometric.apex = 0.5 * (low + high);
-  solution.A = end_of_isometric(frame->isometric, solution.isometric.apex, 1e-13).value();
-  solution.arc = make_arc(solution.A, frame->B.x, std::atan(frame->B.slope));
-  solution.B = frame->B;
-  solution.C = {frame->ring_end, frame->B.y, 0.0};
+  solution.point_A = end_of_isometric(frame->isometric, solution.isometric.apex, 1e-13).value();
+  solution.arc = make_arc(solution.point_A, frame->point_B.x, std::atan(frame->point_B.slope));
+  solution.point_B = frame->point_B;
+  solution.point_C = {frame->ring_end, frame->point_B.y, 0.0};
   return solution;
 }
 
@@ -148,7 +149,9 @@ Profile MultiPartSolution::profile() const {
   Part ring{.name = "ring", .nodes = {}, .kinked_start = true};
   for (std::size_t i = 0; i <= kRingIntervals; ++i) {
     const double u = static_cast<double>(i) / kRingIntervals;
-    ring.nodes.push_back({i == kRingIntervals ? C.x : B.x + u * (C.x - B.x), C.y, 0.0});
+    ring.nodes.push_back({i == kRingIntervals ? point_C.x : point_B.x + u * (point_C.x - point_B.x),
+                          point_C.y,
+                          0.0});
   }
   Part middle{.name = "constant curvature", .nodes = sample(arc, kArcIntervals)};
   return {

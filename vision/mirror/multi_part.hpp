@@ -30,9 +30,9 @@ struct MultiPartSolution {
   MultiPart parameters;
   IsometricParameters isometric;
   Arc arc;  ///< from A to B
-  Node A;
-  Node B;  ///< with the slope of the arc; the ring begins there with slope 0
-  Node C;
+  Node point_A;
+  Node point_B;  ///< with the slope of the arc; the ring begins there with slope 0
+  Node point_C;
 
   /// The three parts, sampled.
   [[nodiscard]] Profile profile() const;

@@ -130,22 +130,20 @@ std::vector<FloorView> visible_floor(const std::vector<FloorSample>& samples) {
   std::vector<FloorView> views;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const FloorSample& now = samples[i];
-    const bool follows = i > 0 && samples[i - 1].part == now.part && samples[i - 1].is_visible();
-    if (!now.is_visible()) {
-      if (follows && now.distance) {
-        extend(views.back(), border(samples[i - 1], now));
-      } else if (follows) {
-        views.back().to_horizon = true;
-      }
-      continue;
-    }
-    if (!follows) {
+    const FloorSample* const before =
+        i > 0 && samples[i - 1].part == now.part ? &samples[i - 1] : nullptr;
+    const bool follows = before != nullptr && before->is_visible();
+    if (now.is_visible() && !follows) {
       views.push_back({now.part, *now.distance, *now.distance, false});
-      if (i > 0 && are_joined(samples[i - 1], now)) {
-        extend(views.back(), border(samples[i - 1], now));
-      }
     }
-    extend(views.back(), *now.distance);
+    if (now.is_visible()) {
+      extend(views.back(), *now.distance);
+    } else if (follows && !now.distance) {
+      views.back().to_horizon = true;
+    }
+    if (before != nullptr && follows != now.is_visible() && are_joined(*before, now)) {
+      extend(views.back(), border(*before, now));
+    }
   }
   return views;
 }

@@ -50,18 +50,18 @@ TEST(MirrorFamily, ClosesWithContinuousTangentAndMeetsItsConditions) {
         const auto mirror = design(any_member());
         RC_ASSERT(mirror.has_value());
         const auto& s = *mirror->multi_part;
-        const Node end_of_arc = at(s.arc, s.B.x);
+        const Node end_of_arc = at(s.arc, s.point_B.x);
         const double H = mirror->assembly.pinhole_height;
 
-        RC_ASSERT(std::abs(end_of_arc.y - s.B.y) < 1e-12);
-        RC_ASSERT(std::abs(end_of_arc.slope - s.B.slope) < 1e-10);
+        RC_ASSERT(std::abs(end_of_arc.y - s.point_B.y) < 1e-12);
+        RC_ASSERT(std::abs(end_of_arc.slope - s.point_B.slope) < 1e-10);
         RC_ASSERT(mirror->margins.joint_slope_jump.value < 1e-10);
         RC_ASSERT(mirror->margins.second_hit.value > 0.0);
-        RC_ASSERT(std::abs(height_at(reflect(1, s.B), H, 11.2).value() - 0.6) < 1e-9);
-        RC_ASSERT(std::abs(floor_distance(reflect(0, s.A), H).value() - 6.0) < 1e-9);
-        RC_ASSERT(std::abs(floor_distance(reflect(2, {s.B.x, s.B.y, 0.0}), H).value() - 0.39) <
-                  1e-12);
-        RC_ASSERT(std::abs(floor_distance(reflect(2, s.C), H).value() - 0.51) < 1e-12);
+        RC_ASSERT(std::abs(height_at(reflect(1, s.point_B), H, 11.2).value() - 0.6) < 1e-9);
+        RC_ASSERT(std::abs(floor_distance(reflect(0, s.point_A), H).value() - 6.0) < 1e-9);
+        RC_ASSERT(std::abs(floor_distance(reflect(2, {s.point_B.x, s.point_B.y, 0.0}), H).value() -
+                           0.39) < 1e-12);
+        RC_ASSERT(std::abs(floor_distance(reflect(2, s.point_C), H).value() - 0.51) < 1e-12);
       },
       kCases);
 }
@@ -95,8 +95,10 @@ TEST(MirrorFamily, GrowsWithItsWorld) {
         RC_ASSERT(small.has_value() && large.has_value());
 
         RC_ASSERT(std::abs(large->assembly.focal_px / small->assembly.focal_px - 1.0) < 1e-9);
-        RC_ASSERT(std::abs(large->multi_part->A.x - factor * small->multi_part->A.x) < 1e-9);
-        RC_ASSERT(std::abs(large->multi_part->A.slope - small->multi_part->A.slope) < 1e-7);
+        RC_ASSERT(std::abs(large->multi_part->point_A.x - factor * small->multi_part->point_A.x) <
+                  1e-9);
+        RC_ASSERT(std::abs(large->multi_part->point_A.slope - small->multi_part->point_A.slope) <
+                  1e-7);
       },
       kCases);
 }

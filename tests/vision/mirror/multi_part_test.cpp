@@ -21,26 +21,26 @@ const Rim kRim{0.09, 0.8};
 TEST(MultiPart, ClosesWithTheVerifiedNumbers) {
   const MultiPartSolution s = solve(MultiPart{}, kRim).value();
 
-  EXPECT_NEAR(s.A.x, 58.1649375e-3, 5e-11);
-  EXPECT_NEAR(s.A.y, 164.63602e-3, 5e-9);
-  EXPECT_NEAR(s.B.x, 68.8235294e-3, 5e-11);
-  EXPECT_NEAR(s.B.y, 171.4285714e-3, 5e-11);
+  EXPECT_NEAR(s.point_A.x, 58.1649375e-3, 5e-11);
+  EXPECT_NEAR(s.point_A.y, 164.63602e-3, 5e-9);
+  EXPECT_NEAR(s.point_B.x, 68.8235294e-3, 5e-11);
+  EXPECT_NEAR(s.point_B.y, 171.4285714e-3, 5e-11);
   EXPECT_NEAR(s.isometric.pinhole_height, 0.628571429, 5e-10);
   EXPECT_NEAR(s.isometric.eta, 16.983017, 5e-7);
   EXPECT_NEAR(s.isometric.apex, 131.437699e-3, 5e-10);
   EXPECT_NEAR(1.0 / s.arc.curvature, 348.306217e-3, 5e-10);
-  EXPECT_NEAR(std::atan(s.A.slope) / kDegree, 31.469110, 5e-7);
-  EXPECT_NEAR(std::atan(s.B.slope) / kDegree, 33.548318, 5e-7);
-  EXPECT_EQ(s.C, (Node{0.09, s.B.y, 0.0}));
+  EXPECT_NEAR(std::atan(s.point_A.slope) / kDegree, 31.469110, 5e-7);
+  EXPECT_NEAR(std::atan(s.point_B.slope) / kDegree, 33.548318, 5e-7);
+  EXPECT_EQ(s.point_C, (Node{0.09, s.point_B.y, 0.0}));
 }
 
 TEST(MultiPart, HasTheCentreOfTheArcWhereItBelongs) {
   const MultiPartSolution s = solve(MultiPart{}, kRim).value();
   const double radius = 1.0 / s.arc.curvature;
-  const double angle = std::atan(s.A.slope);
+  const double angle = std::atan(s.point_A.slope);
 
-  EXPECT_NEAR(s.A.x - radius * std::sin(angle), -123.664424e-3, 5e-10);
-  EXPECT_NEAR(s.A.y + radius * std::cos(angle), 461.713963e-3, 5e-10);
+  EXPECT_NEAR(s.point_A.x - radius * std::sin(angle), -123.664424e-3, 5e-10);
+  EXPECT_NEAR(s.point_A.y + radius * std::cos(angle), 461.713963e-3, 5e-10);
 }
 
 struct Member {
@@ -77,9 +77,13 @@ TEST(MultiPart, HasTheImageOfTheDesign) {
 
   EXPECT_NEAR(mirror.assembly.focal_px, 975.24, 0.005);
   EXPECT_NEAR(
-      mirror.assembly.focal_px * mirror.multi_part->A.x / mirror.multi_part->A.y, 344.5, 0.05);
+      mirror.assembly.focal_px * mirror.multi_part->point_A.x / mirror.multi_part->point_A.y,
+      344.5,
+      0.05);
   EXPECT_NEAR(
-      mirror.assembly.focal_px * mirror.multi_part->B.x / mirror.multi_part->B.y, 391.5, 0.05);
+      mirror.assembly.focal_px * mirror.multi_part->point_B.x / mirror.multi_part->point_B.y,
+      391.5,
+      0.05);
   EXPECT_NEAR(pixel_error(samples, 3.0).value(), 17.414e-3, 5e-7);
   EXPECT_NEAR(pixel_error(samples, 0.45).value(), 0.996e-3, 5e-7);
 }
@@ -138,8 +142,8 @@ TEST(MultiPart, ClosesOverAWideRangeOfSplitsAndDistances) {
       const auto s = solve({.isometric_range = range, .isometric_share = share}, kRim);
 
       ASSERT_TRUE(s.has_value()) << share << ", " << range << " m: " << s.error().text;
-      EXPECT_NEAR(at(s->arc, s->B.x).y, s->B.y, 1e-12);
-      EXPECT_LT(s->A.x, s->B.x);
+      EXPECT_NEAR(at(s->arc, s->point_B.x).y, s->point_B.y, 1e-12);
+      EXPECT_LT(s->point_A.x, s->point_B.x);
     }
   }
 }
