@@ -13,16 +13,21 @@ double share_of_band(double distance, double half_width, double square) {
   return std::clamp((half_width - distance) / square + 0.5, 0.0, 1.0);
 }
 
-double paint_at(const FieldModel& field, const Point<Field>& p_F, double square) {
-  double share = 0.0;
-  if (const auto nearest = nearest_line(field, p_F)) {
-    share = share_of_band(std::abs(nearest->distance), field.line_width / 2.0, square);
+// A rectangle of floor around one painted thing.
+struct Patch {
+  Eigen::Vector2d low;
+  Eigen::Vector2d high;
+};
+
+Patch patch_of(const FieldModel& field, std::size_t primitive) {
+  if (primitive < field.lines.size()) {
+    const FieldLine& line = field.lines[primitive];
+    return {line.from.vector().cwiseMin(line.to.vector()),
+            line.from.vector().cwiseMax(line.to.vector())};
   }
-  for (const FieldSpot& spot : field.spots) {
-    const double distance = (p_F.vector() - spot.centre.vector()).norm();
-    share = std::max(share, share_of_band(distance, spot.radius, square));
-  }
-  return share;
+  const FieldArc& arc = field.arcs[primitive - field.lines.size()];
+  const Eigen::Vector2d radius(arc.radius, arc.radius);
+  return {arc.centre.vector() - radius, arc.centre.vector() + radius};
 }
 
 int squares(double length, double square) {
@@ -45,16 +50,55 @@ FloorTexture::FloorTexture(const FieldModel& field)
   finest.per_metre = static_cast<float>(1.0 / kFinest);
   finest.paint.resize(static_cast<std::size_t>(finest.columns) *
                       static_cast<std::size_t>(finest.rows));
-  std::size_t i = 0;
-  for (int row = 0; row < finest.rows; ++row) {
-    for (int column = 0; column < finest.columns; ++column) {
+  levels_.push_back(std::move(finest));
+  paint(field);
+  add_coarser_levels();
+}
+
+// Each primitive touches only the squares around it: looking at all for each square takes seconds.
+void FloorTexture::paint(const FieldModel& field) {
+  const std::size_t primitives = field.lines.size() + field.arcs.size();
+  const double half_width = field.line_width / 2.0;
+  for (std::size_t i = 0; i < primitives; ++i) {
+    const Patch patch = patch_of(field, i);
+    paint_patch(patch.low, patch.high, half_width, [&](const Point<Field>& p_F) {
+      return std::abs(line_at(field, static_cast<std::uint16_t>(i), p_F).distance);
+    });
+  }
+  for (const FieldSpot& spot : field.spots) {
+    const Eigen::Vector2d centre = spot.centre.vector();
+    paint_patch(centre, centre, spot.radius, [&](const Point<Field>& p_F) {
+      return (p_F.vector() - centre).norm();
+    });
+  }
+}
+
+template <class Distance>
+void FloorTexture::paint_patch(const Eigen::Vector2d& low,
+                               const Eigen::Vector2d& high,
+                               double half_width,
+                               Distance distance) {
+  Level& finest = levels_.front();
+  const double border = half_width + kFinest;
+  const auto index = [](double metres, float from, int count) {
+    const double square = std::floor((metres - static_cast<double>(from)) / kFinest);
+    return static_cast<int>(std::clamp(square, 0.0, count - 1.0));
+  };
+  const int last_row = index(high.y() + border, min_y_, finest.rows);
+  const int last_column = index(high.x() + border, min_x_, finest.columns);
+  for (int row = index(low.y() - border, min_y_, finest.rows); row <= last_row; ++row) {
+    for (int column = index(low.x() - border, min_x_, finest.columns); column <= last_column;
+         ++column) {
       const Point<Field> p_F{static_cast<double>(min_x_) + (column + 0.5) * kFinest,
                              static_cast<double>(min_y_) + (row + 0.5) * kFinest};
-      finest.paint[i++] = static_cast<std::uint8_t>(
-          std::lround(static_cast<double>(kPaint) * paint_at(field, p_F, kFinest)));
+      const double share = share_of_band(distance(p_F), half_width, kFinest);
+      std::uint8_t& square = finest.paint[static_cast<std::size_t>(row * finest.columns + column)];
+      square = std::max(square, static_cast<std::uint8_t>(std::lround(kPaint * share)));
     }
   }
-  levels_.push_back(std::move(finest));
+}
+
+void FloorTexture::add_coarser_levels() {
   while (levels_.size() < static_cast<std::size_t>(kLevels)) {
     const Level& fine = levels_.back();
     Level coarse{fine.columns / 2, fine.rows / 2, fine.per_metre / 2.0F, {}};

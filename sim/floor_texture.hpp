@@ -35,6 +35,14 @@ class FloorTexture {
     std::vector<std::uint8_t> paint;
   };
 
+  void paint(const FieldModel& field);
+  template <class Distance>
+  void paint_patch(const Eigen::Vector2d& low,
+                   const Eigen::Vector2d& high,
+                   double half_width,
+                   Distance distance);
+  void add_coarser_levels();
+
   float min_x_;
   float min_y_;
   float max_x_;
