@@ -58,8 +58,7 @@ bus::LinePoints line_points_of(const vision::FrameObservation& seen, const Stamp
   for (std::size_t i = 0; i < seen.line_points.size(); i += step) {
     const vision::LinePoint& point = seen.line_points[i];
     if (is_sendable(point)) {
-      const bool is_inlier =
-          i < seen.line_residuals.size() && std::abs(seen.line_residuals[i]) < seen.inlier_gate;
+      const bool is_inlier = i < seen.line_fits.size() && seen.line_fits[i];
       message.points.push_back({point.p_R, is_inlier});
     }
   }

@@ -1,6 +1,7 @@
 // tools/calibrate_command.cpp: rings in pictures become the radial table of a camera file.
 #include "tools/calibrate_command.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -31,6 +32,7 @@ struct RingOptions {
   std::string image;
   std::vector<double> distances;
   std::vector<double> centre;
+  double inner_px{0.0};
 };
 
 vision::RingRules rules_of(const RingOptions& options,
@@ -41,7 +43,7 @@ vision::RingRules rules_of(const RingOptions& options,
   rules.distances = options.distances;
   rules.sectors = camera.mask.sectors;
   rules.mirror_height = table.mirror_height;
-  rules.inner_radius_px = std::max(camera.mask.inner_radius_px, 20.0);
+  rules.inner_radius_px = std::max({camera.mask.inner_radius_px, options.inner_px, 20.0});
   rules.centre = options.centre.empty()
                      ? vision::Pixel{0.5 * picture.width_px, 0.5 * picture.height_px}
                      : vision::Pixel{options.centre[0], options.centre[1]};
@@ -123,6 +125,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   rings->add_option("--centre", options->centre, "u_px,v_px in the picture; else its middle")
       ->delimiter(',')
       ->expected(2);
+  rings->add_option("--inner", options->inner_px, "px; rings are looked for beyond this radius");
   rings->add_option("--out", options->out, "camera file to write");
   rings->add_option("image", options->image, "picture of the rings")->required();
   rings->callback([options, &exit_code] { exit_code = calibrate(*options); });

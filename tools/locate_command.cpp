@@ -2,6 +2,7 @@
 #include "tools/locate_command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -62,8 +63,8 @@ const char* status_name(PostureStatus status) {
 // The median distance of the inliers from the paint; null when lost.
 ordered_json median_residual(const vision::FrameObservation& seen) {
   std::vector<double> inliers;
-  for (const double distance : seen.line_residuals) {
-    if (std::abs(distance) < seen.inlier_gate) inliers.push_back(std::abs(distance));
+  for (std::size_t i = 0; i < seen.line_fits.size(); ++i) {
+    if (seen.line_fits[i]) inliers.push_back(std::abs(seen.line_residuals[i]));
   }
   if (inliers.empty()) return nullptr;
   const auto middle = inliers.begin() + static_cast<std::ptrdiff_t>(inliers.size() / 2);

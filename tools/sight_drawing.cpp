@@ -1,6 +1,7 @@
 // tools/sight_drawing.cpp: an SVG of the field and a PNG of the frame.
 #include "tools/sight_drawing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -127,9 +128,9 @@ void draw_robot(FieldCanvas& canvas, const PostureEstimate& posture) {
 }
 
 void draw_line_points(FieldCanvas& canvas, const FrameObservation& seen) {
-  for (std::size_t i = 0; i < seen.line_points.size() && i < seen.line_residuals.size(); ++i) {
+  for (std::size_t i = 0; i < seen.line_points.size() && i < seen.line_fits.size(); ++i) {
     const Point<Field> p = seen.posture.X_FR * seen.line_points[i].p_R;
-    const bool fits = std::abs(seen.line_residuals[i]) < seen.inlier_gate;
+    const bool fits = seen.line_fits[i];
     canvas.circle(p.vector(), 0.02, fits ? "fill=\"#00a000\"" : "fill=\"#e00000\"");
   }
 }
@@ -212,9 +213,9 @@ void write_marked_frame(const std::filesystem::path& path,
   };
   const cv::Scalar green(0, 255, 0);
   const cv::Scalar red(0, 0, 255);
-  const bool is_lost = seen.line_residuals.size() != seen.line_points.size();
+  const bool is_lost = seen.line_fits.size() != seen.line_points.size();
   for (std::size_t i = 0; i < seen.line_points.size(); ++i) {
-    const bool fits = !is_lost && std::abs(seen.line_residuals[i]) < seen.inlier_gate;
+    const bool fits = !is_lost && seen.line_fits[i];
     const cv::Point p = place(seen.line_points[i].u_px, seen.line_points[i].v_px);
     cv::circle(picture, p, 2 << kShift, fits ? green : red, 1, cv::LINE_AA, kShift);
   }

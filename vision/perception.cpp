@@ -54,6 +54,7 @@ struct Perception::Tables {
     profile.reserve(lines.longest());
     observation.line_points.reserve(kMaxLinePoints);
     observation.line_residuals.reserve(kMaxLinePoints);
+    observation.line_fits.reserve(kMaxLinePoints);
   }
 
   void find_lines(const PixelReader& pixels);
@@ -95,13 +96,14 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
 void Perception::Tables::locate(const MotionPrior& prior) {
   const PostureResult result = posture.estimate(observation.line_points, prior);
   observation.posture = result.estimate;
-  observation.inlier_gate = result.inlier_gate;
   observation.searched_globally = result.searched_globally;
   observation.line_residuals.clear();
+  observation.line_fits.clear();
   if (result.estimate.status == PostureStatus::kLost) return;
   for (const LinePoint& point : observation.line_points) {
-    observation.line_residuals.push_back(
-        line_residual(posture.map(), result.estimate.X_FR, point).distance);
+    const LineResidual residual = line_residual(posture.map(), result.estimate.X_FR, point);
+    observation.line_residuals.push_back(residual.distance);
+    observation.line_fits.push_back(is_inlier(residual, result.scale));
   }
 }
 

@@ -48,7 +48,8 @@ struct FrameObservation {
   std::vector<LinePoint> line_points;
   /// Signed distances of the line points from the paint under `posture`; m. Empty when lost.
   std::vector<double> line_residuals;
-  double inlier_gate{0.0};        ///< a residual below this counted as an inlier; m; 0 when lost
+  /// Whether each line point counted as an inlier, given its own uncertainty. Empty when lost.
+  std::vector<bool> line_fits;
   bool searched_globally{false};  ///< the posture was found without, or against, the prior
   Light light{Light::kUnknown};
 };

@@ -106,7 +106,7 @@ PostureResult PostureEstimator::estimate(std::span<const LinePoint> points,
           : half_log_odds_from_side(best.X_FR, std::sqrt(best.cov(0, 0)), prior.start_side, centre);
   estimate.X_FR = best.X_FR;
   estimate.cov = best.cov;
-  result.inlier_gate = best.inlier_gate;
+  result.scale = best.scale;
   if (!symmetric_) {
     estimate.half_log_odds = kMaxHalfLogOdds;
   } else if (estimate.half_log_odds < 0.0) {

@@ -33,7 +33,7 @@ struct MotionPrior {
 /// The posture and how it was come by.
 struct PostureResult {
   PostureEstimate estimate;
-  double inlier_gate{0.0};        ///< a residual below it counted as an inlier; m
+  double scale{1.0};              ///< see PostureFit; with it `is_inlier` judges single points
   bool searched_globally{false};  ///< found without, or against, the prior
 };
 

@@ -31,14 +31,14 @@ double width_of(const LineResidual& residual, double width, double scale) {
 
 // The correlation of neighbours along the scan order, as a factor on the covariance: N / N_eff of a
 // first order autoregression. Measured among inliers only; never below 1.
-double correlation_inflation(std::span<const LineResidual> residuals, double gate) {
+double correlation_inflation(std::span<const LineResidual> residuals, double scale) {
   double product = 0.0;
   double square = 0.0;
   std::size_t pairs = 0;
   for (std::size_t i = 1; i < residuals.size(); ++i) {
     const LineResidual& a = residuals[i - 1];
     const LineResidual& b = residuals[i];
-    if (std::abs(a.distance) > gate || std::abs(b.distance) > gate) continue;
+    if (!is_inlier(a, scale) || !is_inlier(b, scale)) continue;
     product += a.distance * b.distance / std::sqrt(a.var * b.var);
     square += 0.5 * (a.distance * a.distance / a.var + b.distance * b.distance / b.var);
     ++pairs;
@@ -51,6 +51,11 @@ double correlation_inflation(std::span<const LineResidual> residuals, double gat
 }
 
 }  // namespace
+
+bool is_inlier(const LineResidual& residual, double scale) {
+  const double gate = std::max(kInlierFloor, kSigmas * scale * std::sqrt(residual.var));
+  return std::abs(residual.distance) < std::min(gate, kFirstWidth);
+}
 
 LineResidual line_residual(const LineMap& map,
                            const Pose<Field, Robot>& X_FR,
@@ -114,12 +119,7 @@ void PostureFitter::judge(PostureFit& fit) {
   double sum_square = 0.0;
   double sum_slope = 0.0;
   std::size_t inliers = 0;
-  sorted_.clear();
-  for (const LineResidual& r : residuals_) sorted_.push_back(std::sqrt(r.var));
   const auto count = static_cast<double>(residuals_.size());
-  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-  std::nth_element(sorted_.begin(), middle, sorted_.end());
-  fit.inlier_gate = std::clamp(kSigmas * fit.scale * *middle, kInlierFloor, kFirstWidth);
   for (const LineResidual& r : residuals_) {
     const double c = width_of(r, 0.0, fit.scale);
     const double u2 = std::pow(r.distance / c, 2);
@@ -128,8 +128,7 @@ void PostureFitter::judge(PostureFit& fit) {
     sum_square += psi * psi / r.var;
     sum_slope += (1.0 - 3.0 * u2) / std::pow(1.0 + u2, 3);
     info += r.jacobian * r.jacobian.transpose() / r.var;
-    const double gate = std::max(fit.inlier_gate, kSigmas * fit.scale * std::sqrt(r.var));
-    if (std::abs(r.distance) < std::min(gate, kFirstWidth)) ++inliers;
+    if (is_inlier(r, fit.scale)) ++inliers;
     fit.support += 1.0 / (1.0 + std::pow(r.distance / kVoteWidth, 2));
   }
   fit.inlier_ratio = static_cast<double>(inliers) / count;
@@ -140,7 +139,7 @@ void PostureFitter::judge(PostureFit& fit) {
   const double variance = (count * measured + kClaimPoints) / (count + kClaimPoints);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(info);
   if (eigen.eigenvalues().minCoeff() <= 1e-9) return;
-  const double inflation = correlation_inflation(residuals_, fit.inlier_gate);
+  const double inflation = correlation_inflation(residuals_, fit.scale);
   fit.cov = variance * inflation * info.inverse();
   fit.cov = 0.5 * (fit.cov + fit.cov.transpose()).eval();
   fit.observable = fit.cov.diagonal().maxCoeff() < kOpenSigma * kOpenSigma;

@@ -25,13 +25,18 @@ struct LineResidual {
                                          const Pose<Field, Robot>& X_FR,
                                          const LinePoint& point);
 
+/// Whether a point lies on the paint, as far as its uncertainty lets one tell: within three sigma,
+/// but at least 50 mm (a line is wider) and at most 250 mm.
+///
+/// @param scale true sigma of the points over the claimed one, see PostureFit
+[[nodiscard]] bool is_inlier(const LineResidual& residual, double scale);
+
 /// What a fit found.
 struct PostureFit {
   Pose<Field, Robot> X_FR;
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< m, m, rad; meaningless unless observable
-  bool observable{false};   ///< the lines hold the robot in all three directions
-  double scale{1.0};        ///< true sigma of the points over the claimed one
-  double inlier_gate{0.0};  ///< m
+  bool observable{false};  ///< the lines hold the robot in all three directions
+  double scale{1.0};       ///< true sigma of the points over the claimed one
   double inlier_ratio{0.0};
   double support{0.0};  ///< sum of soft votes, at most the number of points; ranks candidates
 };

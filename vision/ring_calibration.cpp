@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -157,10 +158,16 @@ std::vector<double> vote(const std::vector<Bump>& bumps, double directions) {
 }
 
 // The bumps that belong to the ring at `radius`.
-std::vector<Bump> ring_bumps(const std::vector<Bump>& bumps, double radius) {
+std::vector<Bump> ring_bumps(const std::vector<Bump>& bumps,
+                             const std::vector<double>& radii,
+                             double radius) {
   std::vector<Bump> mine;
   std::ranges::copy_if(bumps, std::back_inserter(mine), [&](const Bump& bump) {
-    return std::abs(bump.radius - radius) < kNear;
+    // Outwards the rings crowd: a bump belongs to the nearest one only.
+    const double off = std::abs(bump.radius - radius);
+    return off < kNear && std::ranges::none_of(radii, [&](double other) {
+             return std::abs(bump.radius - other) < off;
+           });
   });
   return mine;
 }
@@ -171,7 +178,7 @@ Pixel centre_shift(const std::vector<Bump>& bumps, const std::vector<double>& ra
   Eigen::Matrix2d normal = 1e-9 * Eigen::Matrix2d::Identity();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (const double radius : radii) {
-    const auto mine = ring_bumps(bumps, radius);
+    const auto mine = ring_bumps(bumps, radii, radius);
     if (mine.size() < 10) continue;
     std::vector<double> own;
     for (const Bump& bump : mine) own.push_back(bump.radius);
@@ -188,9 +195,12 @@ Pixel centre_shift(const std::vector<Bump>& bumps, const std::vector<double>& ra
   return {shift.x(), -shift.y()};
 }
 
-FoundRing measure(const std::vector<Bump>& bumps, double radius, double distance) {
+FoundRing measure(const std::vector<Bump>& bumps,
+                  const std::vector<double>& radii,
+                  double radius,
+                  double distance) {
   std::vector<double> own;
-  for (const Bump& bump : ring_bumps(bumps, radius)) own.push_back(bump.radius);
+  for (const Bump& bump : ring_bumps(bumps, radii, radius)) own.push_back(bump.radius);
   FoundRing ring;
   ring.directions = own.size();
   ring.mark.distance = distance;
@@ -242,7 +252,7 @@ Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
   RingCalibration result{rules.centre, {}};
   const std::size_t count = std::min(radii.size(), rules.distances.size());
   for (std::size_t k = 0; k < count; ++k) {
-    result.rings.push_back(measure(bumps, radii[k], rules.distances[k]));
+    result.rings.push_back(measure(bumps, radii, radii[k], rules.distances[k]));
   }
   if (result.rings.size() < 3) return failure(RingFailure::kTooFew);
   leave_one_out(result.rings, rules.mirror_height);

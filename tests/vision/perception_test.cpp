@@ -1,0 +1,221 @@
+// tests/vision/perception_test.cpp: frames that are none, and what a small painted picture shows.
+#include "vision/perception.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/vision/synthetic_points.hpp"
+
+namespace teamsight::vision {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 240;
+
+CameraParameters small_camera() {
+  CameraParameters camera;
+  camera.name = "small";
+  camera.width_px = kWidth;
+  camera.height_px = kHeight;
+  camera.format = PixelFormat::kYuyv;
+  camera.forward = 0.5 * std::numbers::pi;
+  camera.mirrored = true;
+  RadialTable table;
+  table.centre_u_px = 159.5;
+  table.centre_v_px = 119.5;
+  table.mirror_height = 0.75;
+  for (double radius = 15.0; radius <= 118.0; radius += 5.0) {
+    table.rows.push_back({radius, 1.57 * std::tan(0.0118 * radius), 0.1});
+  }
+  camera.mirror = table;
+  camera.mask.inner_radius_px = 20.0;
+  camera.scan.max_distance = 6.0;
+  camera.colours.white_min_y = 150;
+  camera.colours.black_max_y = 40;
+  camera.colours.samples = {{ColourClass::kGreen, 101, 94, 24}, {ColourClass::kBall, 61, 200, 30}};
+  return camera;
+}
+
+struct Paint {
+  int y{0};
+  int u{128};
+  int v{128};
+};
+
+constexpr Paint kGreen{87, 101, 94};
+constexpr Paint kWhite{230, 128, 128};
+constexpr Paint kOrange{139, 61, 200};
+constexpr Paint kBlack{20, 128, 128};
+
+/// What stands on the field besides the paint.
+struct Scene {
+  Pose<Field, Robot> X_FR;
+  std::optional<Point3<Robot>> ball;   // of 0.11 m
+  std::optional<Point<Robot>> pillar;  // black, radius 0.25 m
+};
+
+Paint look(const Ray<Robot>& ray, const FieldModel& field, const Scene& scene) {
+  if (scene.ball) {
+    const Eigen::Vector3d to_ball = scene.ball->vector() - ray.origin.vector();
+    const double along = to_ball.dot(ray.direction);
+    if (along > 0.0 && (to_ball - along * ray.direction).norm() < 0.11) return kOrange;
+  }
+  const auto floor = meet_plane(ray, 0.0);
+  if (scene.pillar) {
+    // Hidden behind or inside the pillar: the way to the floor passes over its disc.
+    const Eigen::Vector2d p = scene.pillar->vector();
+    const Eigen::Vector2d away = ray.direction.head<2>().normalized();
+    const double along = p.dot(away);
+    const double reach = floor ? floor->vector().norm() : 1e9;
+    if (along > 0.0 && (p - along * away).norm() < 0.25 && reach > p.norm() - 0.25) return kBlack;
+  }
+  if (!floor) return kBlack;
+  const Point<Field> p_F = scene.X_FR * *floor;
+  if (!is_on_carpet(field, p_F)) return kBlack;
+  const auto line = nearest_line(field, p_F);
+  return line && std::abs(line->distance) < 0.5 * field.line_width ? kWhite : kGreen;
+}
+
+std::vector<std::uint8_t> frame_of(const CameraParameters& camera,
+                                   const FieldModel& field,
+                                   const Scene& scene) {
+  const CameraModel model(camera);
+  std::vector<std::uint8_t> bytes(2 * kWidth * kHeight);
+  constexpr int kSub = 3;  // rays per pixel and direction: edges must be grey to be found well
+  for (std::uint32_t v = 0; v < kHeight; ++v) {
+    for (std::uint32_t u = 0; u < kWidth; ++u) {
+      Paint sum;
+      sum.u = sum.v = 0;
+      for (int k = 0; k < kSub * kSub; ++k) {
+        const Pixel pixel{u + (k % kSub - 1) / 3.0, v + (k / kSub - 1) / 3.0};
+        const auto ray = model.ray(pixel);
+        const Paint paint = ray ? look(*ray, field, scene) : kBlack;
+        sum = {sum.y + paint.y, sum.u + paint.u, sum.v + paint.v};
+      }
+      const std::size_t at = 2 * (std::size_t{v} * kWidth + u);
+      bytes[at] = static_cast<std::uint8_t>(sum.y / 9);
+      bytes[at + 1] = static_cast<std::uint8_t>((u % 2 == 0 ? sum.u : sum.v) / 9);
+    }
+  }
+  return bytes;
+}
+
+ImageView view_of(const std::vector<std::uint8_t>& bytes) {
+  return {bytes, kWidth, kHeight, PixelFormat::kYuyv};
+}
+
+TEST(Perception, RejectsWhatIsNoFrameOfItsCamera) {
+  Perception perception(small_camera(), test_field());
+  const std::vector<std::uint8_t> bytes(2 * kWidth * kHeight);
+  ImageView truncated = view_of(bytes);
+  truncated.bytes = truncated.bytes.first(bytes.size() - 1);
+  ImageView wide = view_of(bytes);
+  wide.width_px = 2 * kWidth;
+  ImageView other = view_of(bytes);
+  other.format = PixelFormat::kUyvy;
+
+  EXPECT_EQ(perception.see(truncated, {}).error(), FrameReject::kTruncated);
+  EXPECT_EQ(perception.see(wide, {}).error(), FrameReject::kWrongSize);
+  EXPECT_EQ(perception.see(other, {}).error(), FrameReject::kWrongFormat);
+}
+
+TEST(Perception, IsLostAndSeesNoBallInEmptyFrames) {
+  Perception perception(small_camera(), test_field());
+  for (const int level : {0, 90, 255}) {
+    std::vector<std::uint8_t> bytes(2 * kWidth * kHeight, 128);
+    for (std::size_t i = 0; i < bytes.size(); i += 2) bytes[i] = static_cast<std::uint8_t>(level);
+
+    const auto seen = perception.see(view_of(bytes), {});
+
+    ASSERT_TRUE(seen);
+    EXPECT_EQ((*seen)->posture.status, PostureStatus::kLost);
+    EXPECT_TRUE((*seen)->balls.empty());
+    EXPECT_NE((*seen)->light, Light::kGood);
+  }
+}
+
+TEST(Perception, IsLostInNoise) {
+  Perception perception(small_camera(), test_field());
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> any(0, 255);
+  std::vector<std::uint8_t> bytes(2 * kWidth * kHeight);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(any(random));
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  EXPECT_EQ((*seen)->posture.status, PostureStatus::kLost);
+}
+
+TEST(Perception, FindsThePostureInAPaintedFrame) {
+  const Scene scene{{-1.2, 0.8, 0.6}, std::nullopt, std::nullopt};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+  MotionPrior prior;
+  prior.start_side = StartSide::kOwnHalf;
+
+  const auto seen = perception.see(view_of(bytes), prior);
+
+  ASSERT_TRUE(seen);
+  const PostureEstimate& posture = (*seen)->posture;
+  EXPECT_EQ(posture.status, PostureStatus::kOk);
+  EXPECT_LT((posture.X_FR.origin().vector() - scene.X_FR.origin().vector()).norm(), 0.03);
+  EXPECT_NEAR(angle_difference(posture.X_FR.theta(), scene.X_FR.theta()), 0.0, 0.02);
+  EXPECT_EQ((*seen)->light, Light::kGood);
+  EXPECT_TRUE((*seen)->balls.empty());
+}
+
+TEST(Perception, PointsItsRayAtTheBall) {
+  const Point3<Robot> p_RB{1.5, -0.7, 0.11};
+  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  ASSERT_EQ((*seen)->balls.size(), 1U);
+  const BallRay& ball = (*seen)->balls.front();
+  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
+  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.02);
+  EXPECT_NEAR(ball.angular_radius, std::asin(0.11 / way.norm()), 0.02);
+  EXPECT_GT(ball.confidence, 0.5);
+  EXPECT_EQ(ball.colour, BallColour::kOrange);
+}
+
+TEST(Perception, FindsTheFootOfAnObstacle) {
+  const Point<Robot> p_RO{1.4, 1.0};
+  const Scene scene{{-1.2, 0.8, 0.6}, std::nullopt, p_RO};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  ASSERT_GE((*seen)->obstacles.size(), 1U);
+  const ObstacleSighting& obstacle = (*seen)->obstacles.front();
+  const double range = std::hypot(p_RO.x, p_RO.y);
+  EXPECT_NEAR(std::atan2(obstacle.p_RO.y, obstacle.p_RO.x), std::atan2(p_RO.y, p_RO.x), 0.05);
+  EXPECT_NEAR(std::hypot(obstacle.p_RO.x, obstacle.p_RO.y), range - 0.25, 0.12);
+}
+
+TEST(Perception, GivesTheSameAnswerTwice) {
+  const Scene scene{{2.0, -1.0, -2.0}, Point3<Robot>{0.8, 0.5, 0.11}, std::nullopt};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+
+  const auto first = perception.see(view_of(bytes), {});
+  const FrameObservation before = **first;
+  const auto second = perception.see(view_of(bytes), {});
+
+  EXPECT_EQ(before.posture, (*second)->posture);
+  EXPECT_EQ(before.balls, (*second)->balls);
+}
+
+}  // namespace
+}  // namespace teamsight::vision

@@ -1,0 +1,133 @@
+// tests/vision/posture_consistency_test.cpp: the covariance of the posture is true, and near the
+// bound.
+#include <cmath>
+#include <random>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "geometry/angle.hpp"
+#include "geometry/uncertainty.hpp"
+#include "tests/vision/synthetic_points.hpp"
+#include "vision/posture.hpp"
+
+namespace teamsight::vision {
+namespace {
+
+struct Figures {
+  double nees{0.0};         // mean, per degree of freedom
+  double bound_ratio{0.0};  // RMS position error over the Cramer-Rao bound's
+  int runs{0};
+};
+
+// The bound of the true inliers [state of the art: information of the line normals].
+Eigen::Matrix3d bound_of(const LineMap& map,
+                         const std::vector<LinePoint>& points,
+                         const Pose<Field, Robot>& truth,
+                         double inliers) {
+  Eigen::Matrix3d info = Eigen::Matrix3d::Zero();
+  for (const LinePoint& point : points) {
+    const LineResidual r = line_residual(map, truth, point);
+    info += inliers * r.jacobian * r.jacobian.transpose() / r.var;
+  }
+  return info.inverse();
+}
+
+Figures measure(double sigma, double outliers, unsigned seed) {
+  const FieldModel field = test_field();
+  PostureEstimator estimator(field);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Figures figures;
+  double squares = 0.0;
+  double bounds = 0.0;
+  for (int i = 0; i < 150; ++i) {
+    const Pose<Field, Robot> truth = random_pose(field, random);
+    const auto points = line_points_from(field, truth, sigma, outliers, random);
+    MotionPrior prior;
+    prior.X_FR = Pose<Field, Robot>(truth.x() + 0.05 * normal(random),
+                                    truth.y() + 0.05 * normal(random),
+                                    truth.theta() + 0.03 * normal(random));
+    prior.cov = Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal();
+    prior.half_log_odds = 4.0;
+    const auto result = estimator.estimate(points, prior).estimate;
+    EXPECT_EQ(result.status, PostureStatus::kOk);
+    Eigen::Vector3d off = result.X_FR.vector() - truth.vector();
+    off.z() = wrap_angle(off.z());
+    figures.nees += squared_mahalanobis(off, result.cov) / 3.0;
+    squares += off.head<2>().squaredNorm();
+    bounds +=
+        bound_of(estimator.map(), points, truth, 1.0 - outliers).topLeftCorner<2, 2>().trace();
+    ++figures.runs;
+  }
+  figures.nees /= figures.runs;
+  figures.bound_ratio = std::sqrt(squares / bounds);
+  return figures;
+}
+
+TEST(PostureConsistency, HoldsItsCovarianceUnderCleanNoise) {
+  const Figures figures = measure(0.01, 0.0, 21);
+
+  RecordProperty("nees_per_dof", std::to_string(figures.nees));
+  RecordProperty("ratio_to_bound", std::to_string(figures.bound_ratio));
+  // 450 degrees of freedom: 99.9 % of means lie within 1 +- 0.22; the sandwich adds its own spread.
+  EXPECT_GT(figures.nees, 0.75);
+  EXPECT_LT(figures.nees, 1.30);
+  EXPECT_LT(figures.bound_ratio, 1.15);
+}
+
+TEST(PostureConsistency, HoldsItsCovarianceUnderOutliers) {
+  const Figures figures = measure(0.01, 0.3, 22);
+
+  RecordProperty("nees_per_dof", std::to_string(figures.nees));
+  RecordProperty("ratio_to_bound", std::to_string(figures.bound_ratio));
+  EXPECT_GT(figures.nees, 0.70);
+  EXPECT_LT(figures.nees, 1.35);
+  EXPECT_LT(figures.bound_ratio, 1.30);
+}
+
+TEST(PostureConsistency, MeasuresTheNoiseWhenTheDetectorClaimsTooLittle) {
+  const FieldModel field = test_field();
+  PostureEstimator estimator(field);
+  std::mt19937 random(23);
+  double nees = 0.0;
+  constexpr int kRuns = 100;
+  for (int i = 0; i < kRuns; ++i) {
+    const Pose<Field, Robot> truth = random_pose(field, random);
+    auto points = line_points_from(field, truth, 0.02, 0.0, random);
+    for (LinePoint& point : points) point.cov_R *= 0.25;
+    MotionPrior prior;
+    prior.X_FR = truth;
+    prior.cov = Eigen::Vector3d(0.04, 0.04, 0.01).asDiagonal();
+    const auto result = estimator.estimate(points, prior).estimate;
+    Eigen::Vector3d off = result.X_FR.vector() - truth.vector();
+    off.z() = wrap_angle(off.z());
+    nees += squared_mahalanobis(off, result.cov) / 3.0 / kRuns;
+  }
+  EXPECT_GT(nees, 0.7);
+  EXPECT_LT(nees, 1.4);
+}
+
+TEST(PostureProperty, MirroringThePriorMirrorsTheResult) {
+  const FieldModel field = test_field();
+  PostureEstimator estimator(field);
+  std::mt19937 random(24);
+  for (int i = 0; i < 40; ++i) {
+    const Pose<Field, Robot> truth = random_pose(field, random);
+    const auto points = line_points_from(field, truth, 0.01, 0.1, random);
+    MotionPrior prior;
+    prior.X_FR = truth;
+    prior.cov = Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal();
+    prior.half_log_odds = 4.0;
+    const auto here = estimator.estimate(points, prior).estimate;
+    prior.X_FR = mirrored(truth);
+    const auto there = estimator.estimate(points, prior).estimate;
+
+    EXPECT_TRUE(is_covariance(here.cov));
+    EXPECT_TRUE(is_covariance(there.cov));
+    EXPECT_LT((mirrored(here.X_FR).origin().vector() - there.X_FR.origin().vector()).norm(), 2e-3);
+  }
+}
+
+}  // namespace
+}  // namespace teamsight::vision
