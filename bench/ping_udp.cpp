@@ -1,9 +1,7 @@
 // bench/ping_udp.cpp: the bare UDP ping of ping.hpp.
 #include <array>
 #include <cerrno>
-#include <cstring>
-#include <stdexcept>
-#include <string>
+#include <system_error>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -36,7 +34,7 @@ class Socket {
 
   static void check(int result, const char* call) {
     if (result < 0) {
-      throw std::runtime_error(std::string(call) + ": " + std::strerror(errno));
+      throw std::system_error(errno, std::generic_category(), call);
     }
   }
 
