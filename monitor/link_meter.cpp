@@ -2,6 +2,8 @@
 #include "monitor/link_meter.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace teamsight::monitor {
@@ -15,8 +17,7 @@ constexpr std::size_t kMaxArrivals = 512;
 constexpr Duration kLongestWay = std::chrono::seconds(2);
 
 Duration quantile(std::vector<Duration>& values, double share) {
-  const auto rank =
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  const std::ptrdiff_t rank = std::lround(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[static_cast<std::size_t>(rank)];
 }
@@ -56,7 +57,8 @@ LinkReport LinkMeter::report(HostTime now) const {
   return report;
 }
 
-void LinkMeter::set_latency(std::deque<Arrival>::const_iterator first, LinkReport& report) const {
+void LinkMeter::set_latency(const std::deque<Arrival>::const_iterator& first,
+                            LinkReport& report) const {
   std::vector<Duration> latencies;
   for (auto it = first; it != arrivals_.end(); ++it) {
     if (!it->same_clock) return;

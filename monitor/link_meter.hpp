@@ -32,7 +32,7 @@ class LinkMeter {
     bool same_clock{false};
   };
 
-  void set_latency(std::deque<Arrival>::const_iterator first, LinkReport& report) const;
+  void set_latency(const std::deque<Arrival>::const_iterator& first, LinkReport& report) const;
 
   Duration window_;
   std::uint32_t boot_{0};

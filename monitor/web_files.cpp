@@ -17,7 +17,7 @@ constexpr std::string_view kIndex = "/index.html";
 constexpr std::uintmax_t kMaxBytes = 32U << 20U;
 
 std::string content_type_of(const fs::path& path) {
-  static const std::map<std::string, std::string, std::less<>> kTypes{
+  static const std::map<std::string, std::string, std::less<>> types{
       {".css", "text/css; charset=utf-8"},
       {".html", "text/html; charset=utf-8"},
       {".ico", "image/x-icon"},
@@ -27,8 +27,8 @@ std::string content_type_of(const fs::path& path) {
       {".png", "image/png"},
       {".svg", "image/svg+xml"},
       {".woff2", "font/woff2"}};
-  const auto found = kTypes.find(path.extension().string());
-  return found == kTypes.end() ? "application/octet-stream" : found->second;
+  const auto found = types.find(path.extension().string());
+  return found == types.end() ? "application/octet-stream" : found->second;
 }
 
 std::string read_whole(const fs::path& path) {
@@ -68,9 +68,11 @@ WebFiles load_web_files(const fs::path& folder) {
 
 fs::path find_web_folder(const fs::path& wanted, const fs::path& program) {
   if (!wanted.empty()) return wanted;
+  // Called at start, before any thread that could change the environment.
+  // NOLINTNEXTLINE(concurrency-mt-unsafe)
   const char* from_environment = std::getenv("TEAMSIGHT_WEB_DIR");
   if (from_environment != nullptr) return from_environment;
-  const fs::path beside = program.parent_path().parent_path() / "share/teamsight/web";
+  fs::path beside = program.parent_path().parent_path() / "share/teamsight/web";
   if (has_page(beside)) return beside;
   throw std::runtime_error("web page: not found in " + beside.string() +
                            ", expected there, in TEAMSIGHT_WEB_DIR or in --web DIR");
