@@ -64,6 +64,27 @@ void append(mirror::Profile& profile, const mirror::Node& node, const Line& line
   parts.push_back({.name = name, .nodes = {node}, .kinked_start = !parts.empty()});
 }
 
+/// The next line that is neither empty nor a comment.
+bool next_row(std::ifstream& file, Line& line) {
+  while (std::getline(file, line.text)) {
+    ++line.number;
+    if (!line.text.empty() && line.text.back() == '\r') line.text.pop_back();
+    if (!line.text.empty() && line.text.front() != '#') return true;
+  }
+  return false;
+}
+
+void check_parts(const mirror::Profile& profile, const Line& line) {
+  if (profile.parts.empty()) {
+    throw line.error(std::string(kHead), "no rows", "at least two rows");
+  }
+  for (const mirror::Part& part : profile.parts) {
+    if (part.nodes.size() < 2) {
+      throw line.error("x_m", "a part of one row", "at least two rows in each part");
+    }
+  }
+}
+
 std::string row(double x, const mirror::Node& node) {
   return text_of(x) + "," + text_of(node.y) + "," + text_of(node.slope) + "\n";
 }
@@ -75,27 +96,15 @@ mirror::Profile read_mirror_profile(const std::filesystem::path& path) {
   Line line{&path, 0, {}};
   mirror::Profile profile;
   bool has_head = false;
-  while (std::getline(file, line.text)) {
-    ++line.number;
-    if (!line.text.empty() && line.text.back() == '\r') line.text.pop_back();
-    if (line.text.empty() || line.text.front() == '#') continue;
-    if (!has_head) {
-      if (line.text != kHead) {
-        throw line.error(std::string(kHead), "'" + line.text + "'", "the head x_m,y_m,slope");
-      }
-      has_head = true;
-      continue;
+  while (next_row(file, line)) {
+    if (has_head) {
+      append(profile, node_of(line), line);
+    } else if (line.text != kHead) {
+      throw line.error(std::string(kHead), "'" + line.text + "'", "the head x_m,y_m,slope");
     }
-    append(profile, node_of(line), line);
+    has_head = true;
   }
-  for (const mirror::Part& part : profile.parts) {
-    if (part.nodes.size() < 2) {
-      throw line.error("x_m", "a part of one row", "at least two rows in each part");
-    }
-  }
-  if (profile.parts.empty()) {
-    throw line.error(std::string(kHead), "no rows", "at least two rows");
-  }
+  check_parts(profile, line);
   return profile;
 }
 

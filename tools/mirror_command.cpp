@@ -76,6 +76,7 @@ void check_names(const std::vector<std::string>& configs) {
 
 std::vector<mirror::Mirror> mirrors_of(const std::vector<Designed>& designs) {
   std::vector<mirror::Mirror> mirrors;
+  mirrors.reserve(designs.size());
   for (const Designed& design : designs) {
     mirrors.push_back(design.mirror);
   }

@@ -1,6 +1,8 @@
 // tools/mirror_command.hpp: `teamsight mirror`: designs mirrors and says what they see.
 #pragma once
 
+// The library's own name.
+// NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI {
 class App;
 }

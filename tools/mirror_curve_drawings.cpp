@@ -26,58 +26,63 @@ constexpr double kWidthPx = 760.0;
 constexpr double kHeightPx = 420.0;
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Line> distance_lines(const Mirror& mirror) {
-  const auto samples = mirror::sample_floor(mirror.assembly);
-  std::vector<Line> lines;
-  for (std::size_t i = 0; i < mirror.assembly.profile.parts.size(); ++i) {
-    Line seen{.label = mirror.assembly.profile.parts[i].name, .points = {}, .width_px = 2.6};
-    Line hidden{.label = "", .points = {}, .width_px = 1.4, .is_dashed = true};
-    for (const mirror::FloorSample& sample : samples) {
-      if (sample.part == i) {
-        const Point point{sample.radius_px, sample.distance.value_or(kNowhere)};
-        const Point gap{sample.radius_px, kNowhere};
-        seen.points.push_back(sample.is_visible() ? point : gap);
-        hidden.points.push_back(sample.is_visible() ? gap : point);
-      }
+using Samples = std::vector<mirror::FloorSample>;
+
+/// What one part shows over the image radius: what is seen, or what the body hides.
+Line distance_line(const Samples& samples, std::size_t part, bool is_seen) {
+  Line line{.label = "", .points = {}, .width_px = is_seen ? 2.6 : 1.4, .is_dashed = !is_seen};
+  for (const mirror::FloorSample& sample : samples) {
+    if (sample.part == part) {
+      const bool is_here = sample.is_visible() == is_seen;
+      line.points.push_back(
+          {sample.radius_px, is_here ? sample.distance.value_or(kNowhere) : kNowhere});
     }
-    lines.push_back(std::move(hidden));
-    lines.push_back(std::move(seen));
   }
-  return lines;
+  return line;
 }
 
-std::vector<Line> error_lines(const Mirror& mirror) {
-  const auto samples = mirror::sample_floor(mirror.assembly);
-  std::vector<Line> lines;
-  for (std::size_t i = 0; i < mirror.assembly.profile.parts.size(); ++i) {
-    Line line{.label = mirror.assembly.profile.parts[i].name, .points = {}, .width_px = 2.6};
-    for (const mirror::FloorSample& sample : samples) {
-      if (sample.part == i && sample.is_visible() && sample.m_per_px) {
-        line.points.push_back({*sample.distance, *sample.m_per_px * kMm});
-      }
+Line error_line(const Samples& samples, std::size_t part) {
+  Line line{.label = "", .points = {}, .width_px = 2.6};
+  for (const mirror::FloorSample& sample : samples) {
+    if (sample.part == part && sample.is_visible() && sample.m_per_px) {
+      line.points.push_back({*sample.distance, *sample.m_per_px * kMm});
     }
-    lines.push_back(std::move(line));
   }
-  return lines;
+  return line;
+}
+
+/// The lines of one part; the last one stands for it in the legend.
+std::vector<Line> distance_lines(const Samples& samples, std::size_t part) {
+  return {distance_line(samples, part, false), distance_line(samples, part, true)};
+}
+
+std::vector<Line> error_lines(const Samples& samples, std::size_t part) {
+  return {error_line(samples, part)};
+}
+
+/// Appends lines with one colour; the last one gets the label.
+void append(std::vector<Line>& all, std::vector<Line> lines, const Line& style) {
+  lines.back().label = style.label;
+  for (Line& line : lines) {
+    line.colour = style.colour;
+    all.push_back(std::move(line));
+  }
 }
 
 /// One mirror: its parts differ in colour. Several: the mirrors do, and the parts have no names.
 template <class LinesOf>
 std::vector<Line> coloured(const std::vector<Mirror>& mirrors, LinesOf lines_of) {
   std::vector<Line> result;
-  PartColours parts;
   for (std::size_t i = 0; i < mirrors.size(); ++i) {
-    std::vector<Line> lines = lines_of(mirrors[i]);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      Line& line = lines[k];
-      const bool is_named = !line.label.empty();
-      if (mirrors.size() > 1) {
-        line.colour = plot::series_colour(i);
-        line.label = is_named ? mirrors[i].name : "";
-      } else {
-        line.colour = parts.of(is_named ? line.label : lines[k + 1].label);
-      }
-      result.push_back(std::move(line));
+    const Samples samples = mirror::sample_floor(mirrors[i].assembly);
+    const auto& parts = mirrors[i].assembly.profile.parts;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const bool is_alone = mirrors.size() == 1;
+      append(result,
+             lines_of(samples, k),
+             {.label = is_alone ? parts[k].name : mirrors[i].name,
+              .colour = plot::series_colour(is_alone ? k : i),
+              .points = {}});
     }
   }
   return result;
@@ -114,16 +119,20 @@ void mark_image_radii(Panel& panel, const Mirror& mirror) {
   }
 }
 
+void widen(plot::Axis& axis, const Line& line, double distance) {
+  for (const Point& point : line.points) {
+    if (point.x <= distance && point.y > 0.0) {
+      axis.low = std::min(axis.low, point.y / 1.5);
+      axis.high = std::max(axis.high, point.y * 1.5);
+    }
+  }
+}
+
 /// Wide enough for what is drawn up to `distance`.
 plot::Axis error_axis(const std::vector<Line>& lines, double distance) {
   plot::Axis axis{"one pixel means [mm], logarithmic", 10.0, 100.0, true};
   for (const Line& line : lines) {
-    for (const Point& point : line.points) {
-      if (point.x <= distance && point.y > 0.0) {
-        axis.low = std::min(axis.low, point.y / 1.5);
-        axis.high = std::max(axis.high, point.y * 1.5);
-      }
-    }
+    widen(axis, line, distance);
   }
   return axis;
 }

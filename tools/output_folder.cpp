@@ -5,7 +5,6 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 namespace teamsight::tools {
 namespace {
@@ -26,7 +25,8 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder) : folder_(fs::absolute(folder).lexically_normal()) {
+OutputFolder::OutputFolder(const fs::path& folder)
+    : folder_(fs::absolute(folder).lexically_normal()) {
   if (!folder_.has_filename()) {
     folder_ = folder_.parent_path();  // a trailing slash
   }

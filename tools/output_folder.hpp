@@ -13,7 +13,7 @@ namespace teamsight::tools {
 class OutputFolder {
  public:
   /// @throws std::runtime_error if the place beside `folder` cannot be written
-  explicit OutputFolder(std::filesystem::path folder);
+  explicit OutputFolder(const std::filesystem::path& folder);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
   ~OutputFolder();

@@ -193,21 +193,24 @@ void draw_panel(Writer& svg, const Panel& panel, const Box& box, std::size_t ind
   }
 }
 
+void add_to_legend(std::vector<Line>& legend, const Line& line) {
+  const bool is_known = std::any_of(
+      legend.begin(), legend.end(), [&](const Line& known) { return known.label == line.label; });
+  if (!line.label.empty() && !is_known) {
+    legend.push_back({.label = line.label,
+                      .colour = line.colour,
+                      .points = {},
+                      .width_px = line.width_px,
+                      .is_dashed = line.is_dashed});
+  }
+}
+
 /// The lines that the legend names, each label once.
 std::vector<Line> legend_of(const Figure& figure) {
   std::vector<Line> legend;
   for (const Panel& panel : figure.panels) {
     for (const Line& line : panel.lines) {
-      const bool is_known = std::any_of(legend.begin(), legend.end(), [&](const Line& known) {
-        return known.label == line.label;
-      });
-      if (!line.label.empty() && !is_known) {
-        legend.push_back({.label = line.label,
-                          .colour = line.colour,
-                          .points = {},
-                          .width_px = line.width_px,
-                          .is_dashed = line.is_dashed});
-      }
+      add_to_legend(legend, line);
     }
   }
   return legend;
@@ -292,9 +295,9 @@ std::string to_svg(const Figure& figure) {
 }
 
 const std::string& series_colour(std::size_t index) {
-  static const std::array<std::string, 8> kColours{
+  static const std::array<std::string, 8> colours{
       "#0072B2", "#D55E00", "#009E73", "#AA4499", "#E69F00", "#56B4E9", "#882255", "#555555"};
-  return kColours.at(index % kColours.size());
+  return colours.at(index % colours.size());
 }
 
 }  // namespace teamsight::plot

@@ -19,15 +19,19 @@ double round_step(double least) {
   return 10.0 * power;
 }
 
+bool is_on(const Axis& axis, double value) {
+  return value >= axis.low * (1.0 - 1e-9) && value <= axis.high * (1.0 + 1e-9);
+}
+
 std::vector<double> decade_ticks(const Axis& axis) {
   const bool is_wide = axis.high / axis.low > 2000.0;
+  const int first = static_cast<int>(std::floor(std::log10(axis.low)));
+  const int last = static_cast<int>(std::ceil(std::log10(axis.high)));
   std::vector<double> result;
-  for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
-       power *= 10.0) {
+  for (int exponent = first; exponent <= last; ++exponent) {
     for (const double factor : {1.0, 2.0, 5.0}) {
-      const double value = factor * power;
-      const bool is_inside = value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9);
-      if (is_inside && (!is_wide || factor == 1.0)) {
+      const double value = factor * std::pow(10.0, exponent);
+      if (is_on(axis, value) && (!is_wide || factor == 1.0)) {
         result.push_back(value);
       }
     }
