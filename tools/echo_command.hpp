@@ -1,9 +1,7 @@
 // tools/echo_command.hpp: `teamsight echo TOPIC`: what is on the bus, now.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include <CLI/CLI.hpp>
 
 namespace teamsight::tools {
 

@@ -33,17 +33,17 @@ Motion ball_at(double t) {
 }
 
 Motion robot_at(RobotId robot, double t) {
-  static const std::array<Eigen::Vector2d, kFakeRobots> kHomes{
+  static const std::array<Eigen::Vector2d, kFakeRobots> homes{
       Eigen::Vector2d{-10.2, 0.0}, {-5.5, 3.2}, {-5.0, -3.4}, {1.5, 4.0}, {4.0, -2.0}};
   const double reach = robot == 1 ? 0.6 : 1.8;
   const auto index = static_cast<std::size_t>(robot - 1);
-  return around(kHomes[index], {reach, 0.8 * reach}, 9.0 + robot, t + robot);
+  return around(homes[index], {reach, 0.8 * reach}, 9.0 + robot, t + robot);
 }
 
 Motion opponent_at(std::size_t index, double t) {
-  static const std::array<Eigen::Vector2d, 5> kHomes{
+  static const std::array<Eigen::Vector2d, 5> homes{
       Eigen::Vector2d{10.3, 0.2}, {6.0, 2.5}, {5.5, -4.5}, {-1.0, 1.5}, {-3.5, -1.0}};
-  return around(kHomes[index], {1.2, 1.0}, 8.0 + static_cast<double>(index), -t);
+  return around(homes[index], {1.2, 1.0}, 8.0 + static_cast<double>(index), -t);
 }
 
 Pose<Field, Robot> pose_of(RobotId robot, double t) {
