@@ -99,7 +99,7 @@ class Node {
   // Takes everything; whether there was anything.
   [[nodiscard]] static bool take(dds_entity_t reader) {
     std::array<void*, 8> samples{};
-    std::array<dds_sample_info_t, 8> infos;
+    std::array<dds_sample_info_t, 8> infos{};
     bool any = false;
     int count = 0;
     do {

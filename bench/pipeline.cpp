@@ -41,6 +41,16 @@ void report(const StageMeter& meter) {
   }
 }
 
+// Everything that has arrived on one topic goes to the meter.
+template <class Message>
+void drain(bus::Reader<Message>& reader, StageMeter& meter) {
+  reader.take(bus::host_now(), [&](const bus::Sample<Message>& sample) {
+    if (sample.message) {
+      meter.add(*sample.message, sample.received);
+    }
+  });
+}
+
 StageMeter listen(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team_file);
   const bus::Participant participant =
@@ -49,20 +59,8 @@ StageMeter listen(const Options& options) {
   bus::Reader<WorldModel> worlds(participant);
   StageMeter meter;
   bus::Loop loop;
-  loop.on_readable(sightings.event_fd(), [&] {
-    sightings.take(bus::host_now(), [&](const bus::Sample<bus::Sightings>& sample) {
-      if (sample.message) {
-        meter.add(*sample.message, sample.received);
-      }
-    });
-  });
-  loop.on_readable(worlds.event_fd(), [&] {
-    worlds.take(bus::host_now(), [&](const bus::Sample<WorldModel>& sample) {
-      if (sample.message) {
-        meter.add(*sample.message, sample.received);
-      }
-    });
-  });
+  loop.on_readable(sightings.event_fd(), [&] { drain(sightings, meter); });
+  loop.on_readable(worlds.event_fd(), [&] { drain(worlds, meter); });
   loop.every(from_seconds(options.seconds), [&] { loop.stop(); });
   loop.run();
   return meter;
