@@ -88,14 +88,23 @@ bool is_to_be_sighted(const Teammate& teammate,
          is_resolved(teammate.status, teammate.half_log_odds, parameters);
 }
 
+/// Cost of taking a sighted thing for a teammate's body, carried to the same instant.
+double body_cost(const PlanarMeasurement& seen,
+                 const CarriedPosture& carried,
+                 const Parameters& parameters) {
+  const double var_body = parameters.teammate.sigma_body * parameters.teammate.sigma_body;
+  const Eigen::Matrix2d cov =
+      carried.cov.topLeftCorner<2, 2>() + seen.cov_F + var_body * Eigen::Matrix2d::Identity();
+  const double distance = squared_mahalanobis(seen.p_F - carried.X_FR.origin().vector(), cov);
+  return distance <= chi_square_gate(2, parameters.obstacle.gate_probability) ? distance
+                                                                              : kForbidden;
+}
+
 /// The candidates that are no teammates.
 CandidateList without_teammates(const CandidateList& candidates,
                                 const State& state,
                                 const Observation& observation,
                                 const Parameters& parameters) {
-  const double gate = chi_square_gate(2, parameters.obstacle.gate_probability);
-  const Eigen::Matrix2d body =
-      std::pow(parameters.teammate.sigma_body, 2) * Eigen::Matrix2d::Identity();
   CostMatrix cost(static_cast<Eigen::Index>(candidates.size()),
                   static_cast<Eigen::Index>(state.teammates.size()));
   cost.setConstant(kForbidden);
@@ -104,13 +113,8 @@ CandidateList without_teammates(const CandidateList& candidates,
     if (!is_to_be_sighted(teammate, observation, parameters.teammate)) continue;
     const auto carried = carried_to(teammate.posture, observation.exposure, parameters.teammate);
     for (std::size_t row = 0; row < candidates.size(); ++row) {
-      const PlanarMeasurement& seen = candidates[row].measurement;
-      const Eigen::Vector2d gap = seen.p_F - carried.X_FR.origin().vector();
-      const double distance =
-          squared_mahalanobis(gap, carried.cov.topLeftCorner<2, 2>() + seen.cov_F + body);
-      if (distance <= gate) {
-        cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = distance;
-      }
+      cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          body_cost(candidates[row].measurement, carried, parameters);
     }
   }
   constexpr double kAlonePrice = 1e4;  // dearer than any pair within the gate

@@ -39,41 +39,49 @@ void TrackNames::set(std::uint32_t key, std::uint32_t name) {
   if (key != name) aliases_.push_back({key, name});
 }
 
+double TrackNames::pair_cost(const NamedPlace& place,
+                             const Track& track,
+                             HostTime at,
+                             const TrackParameters& parameters) const {
+  const PlanarMoments moments = moments_at(track, at, parameters);
+  const Eigen::Matrix2d cov =
+      place.cov + moments.cov.topLeftCorner<2, 2>() + kSlackVar * Eigen::Matrix2d::Identity();
+  // A track may already be later than the places are.
+  const double later = std::max(0.0, to_seconds(track.time - at));
+  const double distance =
+      squared_mahalanobis(place.p_F + later * place.v_F - moments.mean.head<2>(), cov);
+  if (!(distance <= chi_square_gate(2, parameters.gate_probability))) return kForbidden;
+  return distance - (name_of(track.key) == place.track ? kSameNameBonus : 0.0) +
+         (track.is_confirmed ? 0.0 : kTentativePenalty);
+}
+
 void TrackNames::adopt(const std::vector<NamedPlace>& places,
                        const TrackList& tracks,
                        HostTime at,
                        const TrackParameters& parameters) {
-  const double gate = chi_square_gate(2, parameters.gate_probability);
-  const auto rows = static_cast<Eigen::Index>(
-      std::min(places.size(), static_cast<std::size_t>(kMaxAssignmentRows)));
-  CostMatrix cost(rows, static_cast<Eigen::Index>(tracks.size()));
-  cost.setConstant(kForbidden);
+  const auto rows = std::min(places.size(), static_cast<std::size_t>(kMaxAssignmentRows));
+  CostMatrix cost(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(tracks.size()));
   for (std::size_t column = 0; column < tracks.size(); ++column) {
-    const Track& track = tracks[column];
-    const PlanarMoments moments = moments_at(track, at, parameters);
-    for (Eigen::Index row = 0; row < rows; ++row) {
-      const NamedPlace& place = places[static_cast<std::size_t>(row)];
-      const Eigen::Matrix2d cov =
-          place.cov + moments.cov.topLeftCorner<2, 2>() + kSlackVar * Eigen::Matrix2d::Identity();
-      // A track may already be later than the places are.
-      const double later = std::max(0.0, to_seconds(track.time - at));
-      const double distance =
-          squared_mahalanobis(place.p_F + later * place.v_F - moments.mean.head<2>(), cov);
-      if (!(distance <= gate)) continue;
-      cost(row, static_cast<Eigen::Index>(column)) =
-          distance - (name_of(track.key) == place.track ? kSameNameBonus : 0.0) +
-          (track.is_confirmed ? 0.0 : kTentativePenalty);
+    for (std::size_t row = 0; row < rows; ++row) {
+      cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          pair_cost(places[row], tracks[column], at, parameters);
     }
   }
   const Assignment assignment = assign(cost, kAlonePrice);
   std::array<bool, kMaxTracks> is_named{};
-  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
+  for (std::size_t row = 0; row < rows; ++row) {
     if (assignment[row] == kUnassigned) continue;
     const auto column = static_cast<std::size_t>(assignment[row]);
     set(tracks[column].key, places[row].track);
     is_named[column] = true;
   }
-  // Whoever bears one of these names without lying there gets a new one.
+  rename_strays(places, tracks, is_named);
+}
+
+/// Whoever bears the name of one of the places without lying there gets a new one.
+void TrackNames::rename_strays(const std::vector<NamedPlace>& places,
+                               const TrackList& tracks,
+                               const std::array<bool, kMaxTracks>& is_named) {
   for (std::size_t column = 0; column < tracks.size(); ++column) {
     const std::uint32_t key = tracks[column].key;
     const std::uint32_t name = name_of(key);

@@ -1,6 +1,7 @@
 // fusion/track_names.hpp: by which ids tracks are known outside, so that ids outlive their maker.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -42,7 +43,14 @@ class TrackNames {
     std::uint32_t name{0};
   };
 
+  [[nodiscard]] double pair_cost(const NamedPlace& place,
+                                 const Track& track,
+                                 HostTime at,
+                                 const TrackParameters& parameters) const;
   void set(std::uint32_t key, std::uint32_t name);
+  void rename_strays(const std::vector<NamedPlace>& places,
+                     const TrackList& tracks,
+                     const std::array<bool, kMaxTracks>& is_named);
 
   std::vector<Alias> aliases_;
 };

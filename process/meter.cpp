@@ -2,7 +2,9 @@
 #include "process/meter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <utility>
 #include <vector>
@@ -38,8 +40,8 @@ std::uint32_t resident_kb() {
 
 double quantile_ms(std::vector<Duration>& steps, double quantile) {
   if (steps.empty()) return 0.0;
-  const auto rank =
-      static_cast<std::size_t>(quantile * static_cast<double>(steps.size() - 1) + 0.5);
+  const auto last = static_cast<double>(steps.size() - 1);
+  const auto rank = static_cast<std::size_t>(std::lround(quantile * last));
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(rank), steps.end());
   return 1e3 * to_seconds(steps[rank]);
 }
