@@ -1,7 +1,9 @@
 // tools/svg_ticks.cpp: round numbers for axes.
 #include "tools/svg_ticks.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -27,13 +29,14 @@ std::vector<double> decade_ticks(const Axis& axis) {
   const bool is_wide = axis.high / axis.low > 2000.0;
   const int first = static_cast<int>(std::floor(std::log10(axis.low)));
   const int last = static_cast<int>(std::ceil(std::log10(axis.high)));
+  constexpr std::array kFactors{1.0, 2.0, 5.0};
   std::vector<double> result;
-  for (int exponent = first; exponent <= last; ++exponent) {
-    for (const double factor : {1.0, 2.0, 5.0}) {
-      const double value = factor * std::pow(10.0, exponent);
-      if (is_on(axis, value) && (!is_wide || factor == 1.0)) {
-        result.push_back(value);
-      }
+  for (int k = 3 * first; k < 3 * last + 3; ++k) {
+    const int exponent = static_cast<int>(std::floor(k / 3.0));
+    const double factor = kFactors.at(static_cast<std::size_t>(k - 3 * exponent));
+    const double value = factor * std::pow(10.0, exponent);
+    if (is_on(axis, value) && (!is_wide || factor == 1.0)) {
+      result.push_back(value);
     }
   }
   return result;
