@@ -1,6 +1,7 @@
 // tests/deploy/scripts_test.cpp: the scripts refuse bad input with one line and exit code 2.
 #include <algorithm>
 #include <chrono>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct BadCall {
   std::string line;                // part of what it says
 };
 
-void PrintTo(const BadCall& call, std::ostream* out) {
-  *out << call.words.front() << ": " << call.line;
+std::ostream& operator<<(std::ostream& out, const BadCall& call) {
+  return out << call.words.front() << ": " << call.line;
 }
 
 class Scripts : public testing::TestWithParam<BadCall> {};
