@@ -27,7 +27,7 @@ bool Leadership::is_heard(HostTime when, HostTime now) const {
 void Leadership::heard(const Rank& other, HostTime now) {
   if (other == own_) return;
   other_heard_ = now;
-  if (other < own_) return;
+  if (other.is_below(own_)) return;
   if (!is_heard(stronger_heard_, now)) stronger_since_ = now;
   stronger_heard_ = now;
 }

@@ -1,7 +1,6 @@
 // fusion/leadership.hpp: whether this instance's world model goes over the air.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 
 #include "geometry/identity.hpp"
@@ -25,7 +24,11 @@ struct Rank {
   std::uint16_t strength{0};
   RobotId robot{kNobody};  ///< decides between equal strengths
 
-  friend auto operator<=>(const Rank&, const Rank&) = default;
+  friend bool operator==(const Rank&, const Rank&) = default;
+
+  [[nodiscard]] bool is_below(const Rank& other) const {
+    return strength != other.strength ? strength < other.strength : robot < other.robot;
+  }
 };
 
 /// Decides from what is heard on the team's world model topic. A value; time as an argument.

@@ -96,8 +96,8 @@ double body_cost(const PlanarMeasurement& seen,
   const Eigen::Matrix2d cov =
       carried.cov.topLeftCorner<2, 2>() + seen.cov_F + var_body * Eigen::Matrix2d::Identity();
   const double distance = squared_mahalanobis(seen.p_F - carried.X_FR.origin().vector(), cov);
-  return distance <= chi_square_gate(2, parameters.obstacle.gate_probability) ? distance
-                                                                              : kForbidden;
+  if (distance <= chi_square_gate(2, parameters.obstacle.gate_probability)) return distance;
+  return kForbidden;
 }
 
 /// The candidates that are no teammates.
