@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -56,7 +57,16 @@ void FramePipe::close() noexcept {
   sent_ = buffer_.size();
 }
 
+// A reader that left behind half a frame: the next one must not find it.
+bool FramePipe::has_lost_its_reader() const {
+  pollfd waiting{descriptor_, POLLOUT, 0};
+  return descriptor_ >= 0 && ::poll(&waiting, 1, 0) == 1 && (waiting.revents & POLLERR) != 0;
+}
+
 bool FramePipe::is_free() {
+  if (has_lost_its_reader()) {
+    close();
+  }
   if (descriptor_ < 0) {
     open();
   }

@@ -35,6 +35,7 @@ class FramePipe {
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
  private:
+  [[nodiscard]] bool has_lost_its_reader() const;
   void open();
   void close() noexcept;
 
