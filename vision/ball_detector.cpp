@@ -114,7 +114,8 @@ BallDetector::Blob BallDetector::grow(const PixelReader& pixels,
     ++blob.pixels;
     blob.solid_angle += weight;
     blob.sum_u += static_cast<double>(pixel % width);
-    blob.sum_v += static_cast<double>(pixel / width);
+    const std::size_t row = pixel / width;
+    blob.sum_v += static_cast<double>(row);
     blob.sum_u_chroma += chroma.u;
     blob.sum_v_chroma += chroma.v;
     blob.sum_direction += weight * direction;
@@ -156,6 +157,21 @@ void BallDetector::judge(const Blob& blob) {
   found_.push_back(candidate);
 }
 
+void BallDetector::seed_from(std::span<const ScanSample> line,
+                             const PixelReader& pixels,
+                             const ColourClasses& colours,
+                             const RayTable& rays) {
+  const auto is_ball = [&](std::size_t pixel) {
+    return colours.of(pixels.chroma(pixel)) == ColourClass::kBall;
+  };
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const std::size_t pixel = line[i].nearest;
+    if (visited_[pixel] == frame_) continue;
+    // Two in a row: single pixels of noise are not worth a search.
+    if (is_ball(pixel) && is_ball(line[i + 1].nearest)) judge(grow(pixels, colours, rays, pixel));
+  }
+}
+
 std::span<const BallCandidate> BallDetector::find(const PixelReader& pixels,
                                                   const ColourClasses& colours,
                                                   const ScanLines& lines,
@@ -163,17 +179,7 @@ std::span<const BallCandidate> BallDetector::find(const PixelReader& pixels,
   ++frame_;
   found_.clear();
   for (const ScanRange& range : lines.radial()) {
-    const auto samples = lines.samples(range);
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      const std::size_t pixel = samples[i].nearest;
-      if (visited_[pixel] == frame_) continue;
-      // Two in a row: single pixels of noise are not worth a search.
-      if (colours.of(pixels.chroma(pixel)) != ColourClass::kBall ||
-          colours.of(pixels.chroma(samples[i + 1].nearest)) != ColourClass::kBall) {
-        continue;
-      }
-      judge(grow(pixels, colours, rays, pixel));
-    }
+    seed_from(lines.samples(range), pixels, colours, rays);
   }
   std::ranges::sort(found_, [](const BallCandidate& a, const BallCandidate& b) {
     return a.ray.confidence > b.ray.confidence;

@@ -62,6 +62,10 @@ class BallDetector {
                           const RayTable& rays,
                           std::size_t seed);
   void judge(const Blob& blob);
+  void seed_from(std::span<const ScanSample> line,
+                 const PixelReader& pixels,
+                 const ColourClasses& colours,
+                 const RayTable& rays);
 
   double ball_radius_;
   std::uint32_t frame_{0};

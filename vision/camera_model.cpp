@@ -90,47 +90,52 @@ std::optional<Pixel> CameraModel::project(const Point3<Robot>& p_R) const {
   return Pixel{centre_.u + radius * std::cos(direction), centre_.v - radius * std::sin(direction)};
 }
 
-std::optional<Pixel> CameraModel::project_through_mirror(const Point3<Robot>& p_R) const {
-  // How far the ray of a pixel at this radius passes below (negative) or above the point, as angle.
+std::optional<Eigen::Vector2d> CameraModel::miss(const Pixel& pixel,
+                                                 const Point3<Robot>& p_R) const {
+  const auto seen = ray(pixel);
+  if (!seen) return std::nullopt;
+  const Eigen::Vector3d towards = p_R.vector() - seen->origin.vector();
+  const double elevation = std::atan2(seen->direction.z(), seen->direction.head<2>().norm());
+  const double wanted = std::atan2(towards.z(), towards.head<2>().norm());
+  const double heading = std::atan2(seen->direction.y(), seen->direction.x());
+  return Eigen::Vector2d(elevation - wanted,
+                         angle_difference(heading, std::atan2(towards.y(), towards.x())));
+}
+
+std::optional<Pixel> CameraModel::project_on_meridian(const Point3<Robot>& p_R) const {
   const double direction = image_direction(std::atan2(p_R.y, p_R.x));
   const auto pixel_at = [&](double radius) {
     return Pixel{centre_.u + radius * std::cos(direction),
                  centre_.v - radius * std::sin(direction)};
   };
-  const auto miss = [&](const Pixel& pixel) -> std::optional<Eigen::Vector2d> {
-    const auto seen = ray(pixel);
-    if (!seen) return std::nullopt;
-    const Eigen::Vector3d towards = p_R.vector() - seen->origin.vector();
-    const double elevation = std::atan2(seen->direction.z(), seen->direction.head<2>().norm());
-    const double wanted = std::atan2(towards.z(), towards.head<2>().norm());
-    const double heading = std::atan2(seen->direction.y(), seen->direction.x());
-    return Eigen::Vector2d(elevation - wanted,
-                           angle_difference(heading, std::atan2(towards.y(), towards.x())));
-  };
+  constexpr int kStride = 8;  // px; the mirror's rays rise outwards
+  constexpr int kFarthest = 4096;
   double low = 0.0;
   double high = 0.0;
-  constexpr double kStride = 8.0;  // px; the mirror's rays rise outwards
-  for (double radius = 1.0; radius < 4096.0 && high == 0.0; radius += kStride) {
-    const auto here = miss(pixel_at(radius));
-    if (!here) {
-      if (low > 0.0) break;
-      continue;
-    }
-    (here->x() < 0.0 ? low : high) = radius;
+  for (int radius = 1; radius < kFarthest && high == 0.0; radius += kStride) {
+    const auto here = miss(pixel_at(radius), p_R);
+    if (!here && low > 0.0) break;
+    if (here) (here->x() < 0.0 ? low : high) = radius;
   }
   if (low == 0.0 || high == 0.0) return std::nullopt;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (low + high);
-    const auto here = miss(pixel_at(middle));
+    const auto here = miss(pixel_at(middle), p_R);
     (here && here->x() < 0.0 ? low : high) = middle;
   }
+  return pixel_at(0.5 * (low + high));
+}
+
+std::optional<Pixel> CameraModel::project_through_mirror(const Point3<Robot>& p_R) const {
+  const auto start = project_on_meridian(p_R);
+  if (!start) return std::nullopt;
   // With offsets and tilts the direction in the picture differs a little: two-dimensional Newton.
-  Pixel pixel = pixel_at(0.5 * (low + high));
+  Pixel pixel = *start;
   for (int i = 0; i < 8; ++i) {
     constexpr double kNudge = 0.01;  // px
-    const auto here = miss(pixel);
-    const auto right = miss({pixel.u + kNudge, pixel.v});
-    const auto below = miss({pixel.u, pixel.v + kNudge});
+    const auto here = miss(pixel, p_R);
+    const auto right = miss({pixel.u + kNudge, pixel.v}, p_R);
+    const auto below = miss({pixel.u, pixel.v + kNudge}, p_R);
     if (!here || !right || !below) return std::nullopt;
     Eigen::Matrix2d slope;
     slope.col(0) = (*right - *here) / kNudge;
@@ -139,7 +144,7 @@ std::optional<Pixel> CameraModel::project_through_mirror(const Point3<Robot>& p_
     pixel = {pixel.u + change.x(), pixel.v + change.y()};
     if (change.norm() < 1e-9) break;
   }
-  return miss(pixel) ? std::optional(pixel) : std::nullopt;
+  return miss(pixel, p_R) ? std::optional(pixel) : std::nullopt;
 }
 
 std::optional<Eigen::Matrix2d> CameraModel::floor_jacobian(const Pixel& pixel) const {

@@ -62,6 +62,10 @@ class CameraModel {
     double viewpoint_height;
   };
 
+  /// How far the ray of `pixel` passes above `p_R` (elevation) and to its left (azimuth); rad.
+  [[nodiscard]] std::optional<Eigen::Vector2d> miss(const Pixel& pixel,
+                                                    const Point3<Robot>& p_R) const;
+  [[nodiscard]] std::optional<Pixel> project_on_meridian(const Point3<Robot>& p_R) const;
   [[nodiscard]] std::optional<Pixel> project_through_mirror(const Point3<Robot>& p_R) const;
 
   Pixel centre_;

@@ -50,34 +50,45 @@ float crossing(Profile profile, std::size_t i, float level) {
   return static_cast<float>(i) + std::clamp(t, 0.0F, 1.0F);
 }
 
-// The bump whose rising edge is steepest at sample `i`; nothing if it does not come down again
-// within `widest` metres of floor.
-std::optional<Bump> bump_at(Profile profile, Line line, std::size_t i, double widest) {
-  const std::size_t n = profile.size();
+/// The summit behind a rising edge.
+struct Summit {
+  std::size_t top{0};
+  std::size_t foot{0};  // first sample that is down again
+};
+
+// The highest sample behind the rising edge at `i`; nothing if the profile does not come down to
+// half height again within `widest` metres of floor.
+std::optional<Summit> summit_behind(Line line, Profile profile, std::size_t i, double widest) {
   const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
-  float peak = profile[i];
-  std::size_t top = i;
-  std::size_t j = i + 1;
   const Eigen::Vector2d start = floor_at(line, static_cast<float>(i));
-  for (; j < n && profile[j] > 0.5F * (left + peak); ++j) {
-    if (profile[j] > peak) {
-      peak = profile[j];
-      top = j;
-    }
+  Summit summit{i, i + 1};
+  std::size_t& j = summit.foot;
+  for (; j < profile.size() && profile[j] > 0.5F * (left + profile[summit.top]); ++j) {
+    if (profile[j] > profile[summit.top]) summit.top = j;
     const double length = (floor_at(line, static_cast<float>(j)) - start).norm();
     if (length > widest && j - i > 4) return std::nullopt;
   }
-  if (j >= n || top == i) return std::nullopt;
-  const float right = lowest(profile, j, std::min(j + kBase, n - 1));
-  Bump bump;
-  bump.contrast = peak - std::max(left, right);
+  if (j >= profile.size() || summit.top == i) return std::nullopt;
+  return summit;
+}
+
+// The bump whose rising edge is steepest at sample `i`.
+std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, double widest) {
+  const auto summit = summit_behind(line, profile, i, widest);
+  if (!summit) return std::nullopt;
+  const std::size_t n = profile.size();
+  const float peak = profile[summit->top];
+  const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
+  const float right = lowest(profile, summit->foot, std::min(summit->foot + kBase, n - 1));
   const float level_left = 0.5F * (left + peak);
   const float level_right = 0.5F * (right + peak);
-  std::size_t rise = top;
+  std::size_t rise = summit->top;
   while (rise > 0 && profile[rise - 1] > level_left) --rise;
-  std::size_t fall = top;
+  std::size_t fall = summit->top;
   while (fall + 1 < n && profile[fall + 1] > level_right) ++fall;
   if (rise == 0 || fall + 1 >= n) return std::nullopt;
+  Bump bump;
+  bump.contrast = peak - std::max(left, right);
   bump.rise = crossing(profile, rise - 1, level_left);
   bump.fall = crossing(profile, fall, level_right);
   bump.end = fall + 1;
@@ -171,24 +182,22 @@ void read_profile(const PixelReader& pixels,
 
 void find_line_points(const PixelReader& pixels,
                       const ColourClasses& colours,
-                      std::span<const ScanSample> line,
-                      std::span<const float> profile,
+                      const ScanProfile& scan,
                       const LineRules& rules,
                       std::vector<LinePoint>& points) {
   const auto contrast = static_cast<float>(rules.min_contrast);
   const double widest = 2.0 * kWidest * rules.line_width;
-  for (std::size_t i = 1; i + 2 < profile.size() && points.size() < kMaxLinePoints; ++i) {
-    const float slope = profile[i + 1] - profile[i - 1];
-    const bool is_steepest = slope >= kSteepness * contrast &&
-                             slope >= profile[i] - profile[i - 1] &&
-                             slope >= profile[i + 2] - profile[i];
+  const Profile y = scan.luminance;
+  for (std::size_t i = 1; i + 2 < y.size() && points.size() < kMaxLinePoints; ++i) {
+    const float slope = y[i + 1] - y[i - 1];
+    const bool is_steepest =
+        slope >= kSteepness * contrast && slope >= y[i] - y[i - 1] && slope >= y[i + 2] - y[i];
     if (!is_steepest) continue;
-    const auto bump = bump_at(profile, line, i, widest);
+    const auto bump = bump_at(scan.samples, y, i, widest);
     if (!bump || bump->contrast < contrast) continue;
-    if (has_carpet_beside(pixels, colours, line, *bump)) {
-      if (const auto point = point_of(line, *bump, rules)) points.push_back(*point);
-    }
     i = std::max(i, bump->end);
+    if (!has_carpet_beside(pixels, colours, scan.samples, *bump)) continue;
+    if (const auto point = point_of(scan.samples, *bump, rules)) points.push_back(*point);
   }
 }
 

@@ -37,17 +37,21 @@ void read_profile(const PixelReader& pixels,
                   std::span<const ScanSample> line,
                   std::vector<float>& profile);
 
+/// One scan line with what was read along it.
+struct ScanProfile {
+  std::span<const ScanSample> samples;
+  std::span<const float> luminance;  ///< of each sample, from read_profile
+};
+
 /// Appends the line points of one scan line.
 ///
 /// A line is a bright bump whose two edges, at half height, are as far apart on the floor as the
 /// paint is wide (crossed at up to 50 degrees), with carpet on both sides.
 ///
-/// @param profile luminance of each sample, from read_profile
-/// @param points  grows up to kMaxLinePoints
+/// @param points grows up to kMaxLinePoints
 void find_line_points(const PixelReader& pixels,
                       const ColourClasses& colours,
-                      std::span<const ScanSample> line,
-                      std::span<const float> profile,
+                      const ScanProfile& scan,
                       const LineRules& rules,
                       std::vector<LinePoint>& points);
 

@@ -15,10 +15,10 @@ namespace teamsight::vision {
 /// Traces lines of sight through a ProfileMirror.
 class MirrorTrace {
  public:
-  /// @param azimuth_of_C  direction of C's x axis (image right) in R; rad
+  /// @param image_right  direction of C's x axis (image right) in R; rad
   /// @param flipped       the picture was turned over top to bottom before it came here, so that it
   ///                      is not the mirror image that an upward camera takes
-  MirrorTrace(const ProfileMirror& mirror, double azimuth_of_C, bool flipped);
+  MirrorTrace(const ProfileMirror& mirror, double image_right, bool flipped);
 
   /// @param du, dv  pixel, from the image centre
   /// @return the reflected ray in R; nothing beside the mirror, or where it would hit it twice

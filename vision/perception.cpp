@@ -83,12 +83,12 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
     const auto line = lines.samples(range);
     read_profile(pixels, line, profile);
     meter.add(profile);
-    find_line_points(pixels, colours, line, profile, rules, points);
+    find_line_points(pixels, colours, {line, profile}, rules, points);
   }
   for (const ScanRange& range : lines.circular()) {
     const auto line = lines.samples(range);
     read_profile(pixels, line, profile);
-    find_line_points(pixels, colours, line, profile, rules, points);
+    find_line_points(pixels, colours, {line, profile}, rules, points);
   }
   observation.light = meter.light();
 }

@@ -27,8 +27,8 @@ double log_mixture(double p, double a, double b) {
   return std::log(p * std::exp(a) + (1.0 - p) * std::exp(b) + std::exp(-kCarried));
 }
 
-double log_density(const Pose<Field, Robot>& X, const MotionPrior& prior) {
-  Eigen::Vector3d gap = X.vector() - prior.X_FR->vector();
+double log_density(const Pose<Field, Robot>& X_FR, const MotionPrior& prior) {
+  Eigen::Vector3d gap = X_FR.vector() - prior.X_FR->vector();
   gap.z() = wrap_angle(gap.z());
   return -0.5 * squared_mahalanobis(gap, prior.cov);
 }

@@ -33,15 +33,31 @@ void take_sample(std::span<const LinePoint> points, std::vector<LinePoint>& samp
   for (std::size_t i = 0; i < count; ++i) sample.push_back(points[i * points.size() / count]);
 }
 
+// How well points (turned into F) lie on paint when the robot stands at `place`.
+float votes_at(const LineMap& map,
+               const Eigen::Vector2d& place,
+               const std::vector<Eigen::Vector2d>& turned) {
+  float votes = 0.0F;
+  for (const Eigen::Vector2d& p : turned) {
+    const float d = map.rough_distance(place + p);
+    votes += kSquareWidth / (kSquareWidth + d * d);
+  }
+  return votes;
+}
+
 }  // namespace
 
 PostureSearch::PostureSearch(const LineMap& map, bool half) : half_(half) {
   const FieldModel& field = map.field();
-  const double end_x = 0.5 * field.length + field.surround;
-  const double end_y = 0.5 * field.width + field.surround;
-  for (double x = -end_x; x <= (half ? 0.5 * kGridStep : end_x); x += kGridStep) {
-    for (double y = -end_y; y <= end_y; y += kGridStep) {
-      places_.push_back(field.centre.vector() + Eigen::Vector2d(x, y));
+  const Eigen::Vector2d end{0.5 * field.length + field.surround,
+                            0.5 * field.width + field.surround};
+  const auto columns = static_cast<int>(2.0 * end.x() / kGridStep);
+  const auto rows = static_cast<int>(2.0 * end.y() / kGridStep);
+  for (int column = 0; column <= columns; ++column) {
+    for (int row = 0; row <= rows; ++row) {
+      const Eigen::Vector2d place = kGridStep * Eigen::Vector2d(column, row) - end;
+      if (half && place.x() > 0.5 * kGridStep) continue;
+      places_.emplace_back(field.centre.vector() + place);
     }
   }
   turned_.reserve(kSamples);
@@ -58,11 +74,7 @@ void PostureSearch::rate(const LineMap& map, std::span<const LinePoint> points) 
     turned_.clear();
     for (const LinePoint& point : points) turned_.emplace_back(R_FR * point.p_R.vector());
     for (const Eigen::Vector2d& place : places_) {
-      float votes = 0.0F;
-      for (const Eigen::Vector2d& p : turned_) {
-        const float d = map.rough_distance(place + p);
-        votes += kSquareWidth / (kSquareWidth + d * d);
-      }
+      const float votes = votes_at(map, place, turned_);
       rated_.push_back({static_cast<float>(place.x()),
                         static_cast<float>(place.y()),
                         static_cast<float>(theta),

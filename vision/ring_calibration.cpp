@@ -60,7 +60,8 @@ std::vector<float> profile_of(const ImageView& image,
                               const RingRules& rules,
                               double direction) {
   std::vector<float> profile;
-  for (double radius = rules.inner_radius_px;; radius += kStep) {
+  for (int step = 0;; ++step) {
+    const double radius = rules.inner_radius_px + kStep * step;
     const double u = rules.centre.u + radius * std::cos(direction);
     const double v = rules.centre.v - radius * std::sin(direction);
     if (u < 0.0 || v < 0.0 || u >= image.width_px - 1.0 || v >= image.height_px - 1.0) break;

@@ -13,8 +13,8 @@ namespace teamsight::vision {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kCircleSpacing = 6.0;       // px between circles
-constexpr double kFirstCircle = 8.0;         // px; nearer to the centre there is only own body
+constexpr int kCircleSpacing = 6;            // px between circles
+constexpr int kFirstCircle = 8;              // px; nearer to the centre there is only own body
 constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
 constexpr std::size_t kShortest = 8;         // samples; no line fits into less
 
@@ -87,43 +87,38 @@ ScanLines::ScanLines(const CameraParameters& parameters,
                      const CameraModel& model,
                      const RayTable& rays) {
   const Sampler sampler(parameters, model, rays);
-  const double reach = std::hypot(rays.width(), rays.height());
-  const auto close = [&](std::vector<ScanRange>& ranges, ScanRange range) {
-    range.count = samples_.size() - range.first;
-    if (range.count < kShortest) {
-      samples_.resize(range.first);
-      return;
-    }
-    longest_ = std::max(longest_, range.count);
-    ranges.push_back(range);
-  };
-
+  const auto reach = static_cast<int>(std::hypot(rays.width(), rays.height()));
   for (std::uint16_t i = 0; i < parameters.scan.rays; ++i) {
     const double direction = kTurn * i / parameters.scan.rays;
-    ScanRange range{samples_.size(), 0, direction};
-    for (double radius = 1.0; radius < reach; radius += 1.0) {
-      if (const auto sample = sampler.at(radius, direction)) {
-        samples_.push_back(*sample);
-      } else if (samples_.size() > range.first) {
-        break;
-      }
+    const std::size_t first = samples_.size();
+    for (int radius = 1; radius < reach; ++radius) {
+      const auto sample = sampler.at(radius, direction);
+      if (!sample && samples_.size() > first) break;
+      if (sample) samples_.push_back(*sample);
     }
-    close(radial_, range);
+    close(radial_, {first, 0, direction});
   }
-
-  for (double radius = kFirstCircle; radius < reach; radius += kCircleSpacing) {
+  for (int radius = kFirstCircle; radius < reach; radius += kCircleSpacing) {
     const auto steps = static_cast<int>(std::ceil(kTurn * radius));
-    ScanRange range{samples_.size(), 0, 0.0};
+    std::size_t first = samples_.size();
     for (int step = 0; step < steps; ++step) {
-      if (const auto sample = sampler.at(radius, kTurn * step / steps)) {
-        samples_.push_back(*sample);
-        continue;
-      }
-      close(circular_, range);
-      range.first = samples_.size();
+      const auto sample = sampler.at(radius, kTurn * step / steps);
+      if (sample) samples_.push_back(*sample);
+      if (sample && step + 1 < steps) continue;
+      close(circular_, {first, 0, 0.0});
+      first = samples_.size();
     }
-    close(circular_, range);
   }
+}
+
+void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
+  range.count = samples_.size() - range.first;
+  if (range.count < kShortest) {
+    samples_.resize(range.first);
+    return;
+  }
+  longest_ = std::max(longest_, range.count);
+  ranges.push_back(range);
 }
 
 }  // namespace teamsight::vision

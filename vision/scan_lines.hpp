@@ -54,6 +54,9 @@ class ScanLines {
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
  private:
+  /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
+  void close(std::vector<ScanRange>& ranges, ScanRange range);
+
   std::vector<ScanSample> samples_;
   std::vector<ScanRange> radial_;
   std::vector<ScanRange> circular_;
