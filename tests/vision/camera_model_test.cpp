@@ -163,7 +163,9 @@ TEST(MonotoneCurve, GrowsBetweenItsKnotsAndInverts) {
     last = curve.at(x);
     EXPECT_NEAR(curve.inverse(curve.at(x)), x, 1e-6);
     const double numeric = (curve.at(x + 1e-6) - curve.at(x - 1e-6)) / 2e-6;
-    if (x > 0.01 && x < 4.99) EXPECT_NEAR(curve.slope_at(x), numeric, 1e-4);
+    if (x > 0.01 && x < 4.99) {
+      EXPECT_NEAR(curve.slope_at(x), numeric, 1e-4);
+    }
   }
 }
 
