@@ -66,13 +66,7 @@ void Agent::join(bus::Loop& loop) {
   loop.on_readable(frames_->event_fd(), [this] { turn(); });
   loop.on_readable(bus_->commands.event_fd(), [this] { listen_to_commands(); });
   loop.on_readable(bus_->peers.event_fd(), [this] { listen_to_peers(); });
-  loop.on_readable(bus_->odometry.event_fd(), [this] {
-    bus_->odometry.take(bus::host_now(), [this](const bus::Sample<bus::Odometry>& sample) {
-      if (sample.message.has_value() && sample.message->id.robot == identity_.robot) {
-        motion_.roll(*sample.message);
-      }
-    });
-  });
+  loop.on_readable(bus_->odometry.event_fd(), [this] { listen_to_wheels(); });
   loop.every(kStatePeriod / 3, [this] { keep_alive(); });
   loop.every(1s, [this] { diagnose(); });
 }
@@ -126,7 +120,7 @@ void Agent::write_state(HostTime now) {
   if (state.camera_lost) {
     state.posture.status = PostureStatus::kLost;
   }
-  state.v_R = motion_.v_R(now);
+  state.v_R = motion_.velocity(now);
   state.omega = motion_.omega(now);
   state.command_acknowledged = acknowledged_;
   state.sees_ball = sees_ball_ && !state.camera_lost;
@@ -242,6 +236,14 @@ bool Agent::carry_out(const bus::Command& command, HostTime now) {
   }
   meter_.count("Command.not_understood");
   return false;
+}
+
+void Agent::listen_to_wheels() {
+  bus_->odometry.take(bus::host_now(), [this](const bus::Sample<bus::Odometry>& sample) {
+    if (sample.message.has_value() && sample.message->id.robot == identity_.robot) {
+      motion_.roll(*sample.message);
+    }
+  });
 }
 
 void Agent::listen_to_peers() {

@@ -66,6 +66,7 @@ class Agent {
   void diagnose();
   void listen_to_commands();
   bool carry_out(const bus::Command& command, HostTime now);
+  void listen_to_wheels();
   void listen_to_peers();
   void measure_rate(HostTime exposure);
   void count_reject(vision::FrameReject reason);

@@ -9,7 +9,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
+#include <poll.h>
 
 #include "agent/agent.hpp"
 #include "agent/open_source.hpp"
@@ -124,25 +124,26 @@ Motion make_motion(const Options& options, const Setup& setup) {
   return motion;
 }
 
-// Listens until the vision's tables are made, and at least as long as a rival needs to be heard.
-void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot) {
-  const HostTime until = bus::host_now() + kListenForRivals;
+// The boot id of another process with this robot id, if one has been heard.
+std::optional<std::uint32_t> find_rival(bus::Reader<bus::RobotState>& peers, RobotId robot) {
   std::optional<std::uint32_t> rival;
-  bus::Loop loop;
-  loop.on_readable(peers.event_fd(), [&] {
-    peers.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
-      if (sample.message.has_value() && sample.message->id.robot == robot) {
-        rival = sample.message->id.boot;
-        loop.stop();
-      }
-    });
-  });
-  loop.every(50ms, [&] {
-    if (bus::host_now() >= until) {
-      loop.stop();
+  peers.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
+    if (sample.message.has_value() && sample.message->id.robot == robot) {
+      rival = sample.message->id.boot;
     }
   });
-  loop.run();
+  return rival;
+}
+
+// Waits until a rival has had the time to be heard, or the process is to end.
+void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot, const bus::Loop& loop) {
+  const HostTime until = bus::host_now() + kListenForRivals;
+  std::optional<std::uint32_t> rival;
+  while (!rival.has_value() && loop.keeps_running() && bus::host_now() < until) {
+    pollfd waiting{peers.event_fd(), POLLIN, 0};
+    ::poll(&waiting, 1, 20);
+    rival = find_rival(peers, robot);
+  }
   if (rival.has_value()) {
     throw std::runtime_error("robot id " + std::to_string(robot) +
                              ": found another process that speaks under it (boot " +
@@ -151,12 +152,13 @@ void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot) {
 }
 
 int run(const Options& options) {
+  bus::Loop loop;  // before any thread: it takes SIGINT and SIGTERM for all of them
   const Setup setup = load(options);
   Motion motion = make_motion(options, setup);
   const vision::CameraParameters camera = camera_for(setup);
   const PictureLayout layout{camera.width_px, camera.height_px, camera.format};
-  const auto open = [source = setup.source, layout, loop = options.loop] {
-    return open_source(source, layout, loop);
+  const auto open = [source = setup.source, layout, again = options.loop] {
+    return open_source(source, layout, again);
   };
   const bool is_live = may_come_later(setup.source.kind);
   std::unique_ptr<FrameSource> first = is_live ? nullptr : open();
@@ -166,15 +168,20 @@ int run(const Options& options) {
     return std::make_unique<vision::Perception>(
         camera, setup.field, vision::PerceptionParameters{team.ball_radius, team.robot_radius});
   });
-  const auto team_bus = bus::Participant::join(process::team_domain(team, options.domains));
+  const auto keeps_trying = [&loop] {
+    return loop.keeps_running();
+  };
+  const auto team_bus =
+      bus::Participant::join(process::team_domain(team, options.domains), keeps_trying);
   const std::string tag = options.domains.host_tag.empty()
                               ? process::default_host_tag(team, setup.robot.id)
                               : options.domains.host_tag;
-  const auto host_bus = bus::Participant::join(process::host_domain(team, options.domains, tag));
-  AgentBus bus(team_bus, host_bus);
-  refuse_second(bus.peers, setup.robot.id);
+  const auto host_bus =
+      bus::Participant::join(process::host_domain(team, options.domains, tag), keeps_trying);
+  AgentBus topics(team_bus, host_bus);
+  refuse_second(topics.peers, setup.robot.id, loop);
   // Commands that were waiting are about the time before this start.
-  bus.commands.take(bus::host_now(), [](const bus::Sample<bus::Command>&) {});
+  topics.commands.take(bus::host_now(), [](const bus::Sample<bus::Command>&) {});
 
   FrameThread frames(open,
                      std::move(first),
@@ -182,11 +189,10 @@ int run(const Options& options) {
                      : is_live            ? 0.0
                                           : 15.0);
   Agent agent({setup.robot.id, process::draw_boot_id(), TEAMSIGHT_VERSION},
-              bus,
+              topics,
               frames,
               perception.get(),
               std::move(motion));
-  bus::Loop loop;
   agent.join(loop);
   loop.run();
   if (agent.has_yielded()) {

@@ -109,7 +109,7 @@ bool Motion::has_fresh_odometry(HostTime when) const {
   return drive_count_ > 0 && when - host_time(newest_.stamp) < parameters_.odometry_stale;
 }
 
-Velocity<Robot> Motion::v_R(HostTime when) const {
+Velocity<Robot> Motion::velocity(HostTime when) const {
   if (has_fresh_odometry(when)) {
     return newest_.v_R;
   }

@@ -53,7 +53,7 @@ class Motion {
 
   /// Velocity over the floor and turning rate (rad/s): the wheels', or else from the last two
   /// postures; zero if neither is known.
-  [[nodiscard]] Velocity<Robot> v_R(HostTime when) const;
+  [[nodiscard]] Velocity<Robot> velocity(HostTime when) const;
   [[nodiscard]] double omega(HostTime when) const;
 
  private:

@@ -92,7 +92,9 @@ void FloorTexture::paint_patch(const Eigen::Vector2d& low,
       const Point<Field> p_F{static_cast<double>(min_x_) + (column + 0.5) * kFinest,
                              static_cast<double>(min_y_) + (row + 0.5) * kFinest};
       const double share = share_of_band(distance(p_F), half_width, kFinest);
-      std::uint8_t& square = finest.paint[static_cast<std::size_t>(row * finest.columns + column)];
+      std::uint8_t& square =
+          finest.paint[static_cast<std::size_t>(row) * static_cast<std::size_t>(finest.columns) +
+                       static_cast<std::size_t>(column)];
       square = std::max(square, static_cast<std::uint8_t>(std::lround(kPaint * share)));
     }
   }
@@ -100,20 +102,24 @@ void FloorTexture::paint_patch(const Eigen::Vector2d& low,
 
 void FloorTexture::add_coarser_levels() {
   while (levels_.size() < static_cast<std::size_t>(kLevels)) {
-    const Level& fine = levels_.back();
-    Level coarse{fine.columns / 2, fine.rows / 2, fine.per_metre / 2.0F, {}};
-    for (int row = 0; row < coarse.rows; ++row) {
-      for (int column = 0; column < coarse.columns; ++column) {
-        const auto at = [&](int r, int c) {
-          return fine
-              .paint[static_cast<std::size_t>((2 * row + r) * fine.columns + 2 * column + c)];
-        };
-        coarse.paint.push_back(
-            static_cast<std::uint8_t>((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1) + 2) / 4));
-      }
-    }
-    levels_.push_back(std::move(coarse));
+    levels_.push_back(halved(levels_.back()));
   }
+}
+
+// Each square holds the mean of four.
+FloorTexture::Level FloorTexture::halved(const Level& fine) {
+  Level coarse{fine.columns / 2, fine.rows / 2, fine.per_metre / 2.0F, {}};
+  const auto columns = static_cast<std::size_t>(fine.columns);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(coarse.rows); ++row) {
+    for (std::size_t column = 0; column < static_cast<std::size_t>(coarse.columns); ++column) {
+      const std::size_t above = 2 * row * columns + 2 * column;
+      const std::size_t below = above + columns;
+      const int sum =
+          fine.paint[above] + fine.paint[above + 1] + fine.paint[below] + fine.paint[below + 1];
+      coarse.paint.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+    }
+  }
+  return coarse;
 }
 
 std::uint8_t FloorTexture::at(float x, float y, int level) const {

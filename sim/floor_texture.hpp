@@ -42,6 +42,7 @@ class FloorTexture {
                    double half_width,
                    Distance distance);
   void add_coarser_levels();
+  [[nodiscard]] static Level halved(const Level& fine);
 
   float min_x_;
   float min_y_;

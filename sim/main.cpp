@@ -90,13 +90,14 @@ Setup load(const Options& options) {
 }
 
 void end_after(bus::Loop& loop, HostTime start, double seconds) {
-  if (seconds > 0.0) {
-    loop.every(20ms, [&loop, start, seconds] {
-      if (to_seconds(bus::host_now() - start) >= seconds) {
-        loop.stop();
-      }
-    });
+  if (seconds <= 0.0) {
+    return;
   }
+  loop.every(20ms, [&loop, start, seconds] {
+    if (to_seconds(bus::host_now() - start) >= seconds) {
+      loop.stop();
+    }
+  });
 }
 
 // A robot's odometry on its own domain, while there is a team.
@@ -128,6 +129,7 @@ class Drive {
 };
 
 int play_robot(const Options& options, const Setup& setup, std::size_t player) {
+  bus::Loop loop;  // before any thread: it takes SIGINT and SIGTERM for all of them
   const RobotId robot = setup.parameters.own.at(player);
   FramePipe pipe(std::filesystem::path(options.frames) /
                  ("robot" + std::to_string(robot) + ".stream"));
@@ -146,7 +148,6 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
   if (setup.match.team.has_value()) {
     drive.emplace(*setup.match.team, options.domains, robot);
   }
-  bus::Loop loop;
   loop.every(2ms, [&] { camera.tick(bus::host_now()); });
   loop.every(10ms, [&] {
     if (drive.has_value()) {
@@ -209,6 +210,14 @@ int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& c
   return process::kDone;
 }
 
+// Ends with the parent, whatever ends that.
+void be_child_of(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) {
+    ::_exit(process::kDone);  // it ended before the line above
+  }
+}
+
 // Before any thread or bus: what fork() copies is only memory.
 std::vector<pid_t> start_robots(const Options& options, const Setup& setup) {
   std::vector<pid_t> children;
@@ -216,12 +225,11 @@ std::vector<pid_t> start_robots(const Options& options, const Setup& setup) {
   for (std::size_t player = 0; player < setup.match.robots.size(); ++player) {
     const pid_t child = ::fork();
     if (child == 0) {
-      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-      if (::getppid() != parent) {
-        ::_exit(process::kDone);
-      }
-      ::_exit(process::run_program("teamsight-sim",
-                                   [&] { return play_robot(options, setup, player); }));
+      be_child_of(parent);
+      const auto play = [&] {
+        return play_robot(options, setup, player);
+      };
+      ::_exit(process::run_program("teamsight-sim", play));
     }
     children.push_back(child);
   }

@@ -137,29 +137,31 @@ void Match::turn(Player& player) const {
   player.omega += std::clamp(wanted - player.omega, -most, most);
 }
 
-// Bodies that would overlap are pushed apart, and stop moving towards each other.
 void Match::keep_apart() {
-  const double least = 2.0 * parameters_.robot_radius + 0.02;
   for (std::size_t i = 0; i < state_.players.size(); ++i) {
     for (std::size_t j = i + 1; j < state_.players.size(); ++j) {
-      Player& a = state_.players[i];
-      Player& b = state_.players[j];
-      const Eigen::Vector2d between = b.X_FR.origin().vector() - a.X_FR.origin().vector();
-      const double distance = between.norm();
-      if (distance >= least) {
-        continue;
-      }
-      const Eigen::Vector2d normal =
-          distance > 1e-6 ? Eigen::Vector2d(between / distance) : Eigen::Vector2d(1.0, 0.0);
-      const Eigen::Vector2d shift = normal * ((least - distance) / 2.0);
-      a.X_FR = {a.X_FR.x() - shift.x(), a.X_FR.y() - shift.y(), a.X_FR.theta()};
-      b.X_FR = {b.X_FR.x() + shift.x(), b.X_FR.y() + shift.y(), b.X_FR.theta()};
-      const double closing = (b.v_FR.vector() - a.v_FR.vector()).dot(normal);
-      if (closing < 0.0) {
-        a.v_FR = Velocity<Field>::from(a.v_FR.vector() + normal * (closing / 2.0));
-        b.v_FR = Velocity<Field>::from(b.v_FR.vector() - normal * (closing / 2.0));
-      }
+      push_apart(state_.players[i], state_.players[j]);
     }
+  }
+}
+
+// Bodies that would overlap are pushed apart, and stop moving towards each other.
+void Match::push_apart(Player& a, Player& b) const {
+  const double least = 2.0 * parameters_.robot_radius + 0.02;
+  const Eigen::Vector2d between = b.X_FR.origin().vector() - a.X_FR.origin().vector();
+  const double distance = between.norm();
+  if (distance >= least) {
+    return;
+  }
+  const Eigen::Vector2d normal =
+      distance > 1e-6 ? Eigen::Vector2d(between / distance) : Eigen::Vector2d(1.0, 0.0);
+  const Eigen::Vector2d shift = normal * ((least - distance) / 2.0);
+  a.X_FR = {a.X_FR.x() - shift.x(), a.X_FR.y() - shift.y(), a.X_FR.theta()};
+  b.X_FR = {b.X_FR.x() + shift.x(), b.X_FR.y() + shift.y(), b.X_FR.theta()};
+  const double closing = (b.v_FR.vector() - a.v_FR.vector()).dot(normal);
+  if (closing < 0.0) {
+    a.v_FR = Velocity<Field>::from(a.v_FR.vector() + normal * (closing / 2.0));
+    b.v_FR = Velocity<Field>::from(b.v_FR.vector() - normal * (closing / 2.0));
   }
 }
 

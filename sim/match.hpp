@@ -72,6 +72,7 @@ class Match {
   void drive(std::size_t player, const Point<Field>& target);
   void turn(Player& player) const;
   void keep_apart();
+  void push_apart(Player& a, Player& b) const;
   void meet_ball(std::size_t player);
   void kick(std::size_t player);
   void roll();

@@ -173,7 +173,7 @@ void Renderer::draw_floor(const Pose<Field, Robot>& X_FR) {
       sum += paint;
     }
     materials_[pixel.pixel] =
-        2 * beyond > pixel.samples
+        2 * beyond >= pixel.samples  // there is at least one sample
             ? kBeyond
             : static_cast<std::uint8_t>(std::min<unsigned>(
                   (sum - beyond * kBeyond) / (pixel.samples - beyond), FloorTexture::kPaint));
@@ -222,18 +222,20 @@ void Renderer::paint_sector(const Point<Robot>& p_R,
   const std::size_t first = bin_of(middle - half) + kBins - 2;
   const auto nearest = static_cast<float>(distance - radius);
   for (std::size_t i = 0; i < std::min(bins, kBins); ++i) {
-    const std::size_t bin = (first + i) % kBins;
-    const auto end = sights_.begin() + bin_starts_[bin + 1];
-    auto sight = std::lower_bound(
-        sights_.begin() + bin_starts_[bin], end, nearest, [](const Sight& s, float reach) {
-          return s.reach < reach;
-        });
-    for (; sight != end; ++sight) {
-      if (hits(*sight)) {
-        materials_[sight->pixel] = material;
+    for (const Sight& sight : sights_beyond((first + i) % kBins, nearest)) {
+      if (hits(sight)) {
+        materials_[sight.pixel] = material;
       }
     }
   }
+}
+
+std::span<const Renderer::Sight> Renderer::sights_beyond(std::size_t bin, float distance) const {
+  const std::span<const Sight> all =
+      std::span(sights_).subspan(bin_starts_[bin], bin_starts_[bin + 1] - bin_starts_[bin]);
+  const auto first = std::partition_point(
+      all.begin(), all.end(), [distance](const Sight& sight) { return sight.reach < distance; });
+  return all.subspan(static_cast<std::size_t>(first - all.begin()));
 }
 
 void Renderer::draw_robot(const Point<Robot>& p_R) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "geometry/field_model.hpp"
@@ -81,6 +82,7 @@ class Renderer {
   void draw_standing(const Scene& scene);
   void draw_robot(const Point<Robot>& p_R);
   void draw_ball(const Point3<Robot>& p_R);
+  [[nodiscard]] std::span<const Sight> sights_beyond(std::size_t bin, float distance) const;
   template <class Hits>
   void paint_sector(const Point<Robot>& p_R, double radius, std::uint8_t material, Hits hits);
   void develop(std::mt19937& random, std::vector<std::uint8_t>& out) const;

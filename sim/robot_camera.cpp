@@ -68,8 +68,10 @@ void RobotCamera::look() {
 
 RobotCamera::Count RobotCamera::count(HostTime now) {
   advance_to(now);
-  return {
-      clock_.start + from_seconds(match_.time()), wheels_.X_DR(), wheels_.v_R(), wheels_.omega()};
+  return {clock_.start + from_seconds(match_.time()),
+          wheels_.pose(),
+          wheels_.velocity(),
+          wheels_.omega()};
 }
 
 }  // namespace teamsight::sim

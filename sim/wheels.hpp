@@ -23,10 +23,13 @@ class Wheels {
   /// The robot moved like this for `seconds`.
   void roll(const Player& player, double seconds);
 
-  [[nodiscard]] const Pose<bus::Drive, Robot>& X_DR() const { return X_DR_; }
+  /// X_DR: where the wheels take the robot to be since they began to count.
+  [[nodiscard]] const Pose<bus::Drive, Robot>& pose() const { return X_DR_; }
 
-  [[nodiscard]] const Velocity<Robot>& v_R() const { return v_R_; }
+  /// As the wheels read it; m/s.
+  [[nodiscard]] const Velocity<Robot>& velocity() const { return v_R_; }
 
+  /// rad/s
   [[nodiscard]] double omega() const { return omega_; }
 
  private:

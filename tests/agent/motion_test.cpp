@@ -110,8 +110,8 @@ TEST(Motion, MeasuresTheVelocityFromPostures) {
     motion.see(posture(0.0, 0.05 * i, M_PI / 2.0), at(10.0 + 0.05 * i));
   }
 
-  EXPECT_THAT(motion.v_R(at(12.0)), IsNear(Velocity<Robot>{1.0, 0.0}, 1e-3));
-  EXPECT_THAT(motion.v_R(at(13.0)), IsNear(Velocity<Robot>{0.0, 0.0}, 1e-12));
+  EXPECT_THAT(motion.velocity(at(12.0)), IsNear(Velocity<Robot>{1.0, 0.0}, 1e-3));
+  EXPECT_THAT(motion.velocity(at(13.0)), IsNear(Velocity<Robot>{0.0, 0.0}, 1e-12));
 }
 
 TEST(Motion, TakesAPlaceThatSomebodyNames) {

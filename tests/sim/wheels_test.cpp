@@ -19,9 +19,9 @@ TEST(Wheels, CountForwardWhatIsForwardInR) {
     wheels.roll(driving_left_in_F(), 0.01);
   }
 
-  EXPECT_NEAR(wheels.X_DR().x(), 1.0, 1e-9);
-  EXPECT_NEAR(wheels.X_DR().y(), 0.0, 1e-9);
-  EXPECT_NEAR(wheels.v_R().x, 1.0, 1e-9);
+  EXPECT_NEAR(wheels.pose().x(), 1.0, 1e-9);
+  EXPECT_NEAR(wheels.pose().y(), 0.0, 1e-9);
+  EXPECT_NEAR(wheels.velocity().x, 1.0, 1e-9);
 }
 
 TEST(Wheels, DriftApartWithDifferentSeedsOnly) {
@@ -34,9 +34,9 @@ TEST(Wheels, DriftApartWithDifferentSeedsOnly) {
     other.roll(driving_left_in_F(), 0.01);
   }
 
-  EXPECT_EQ(a.X_DR(), same.X_DR());
-  EXPECT_FALSE(a.X_DR() == other.X_DR());
-  EXPECT_NEAR(a.X_DR().x(), 10.0, 1.0);
+  EXPECT_EQ(a.pose(), same.pose());
+  EXPECT_FALSE(a.pose() == other.pose());
+  EXPECT_NEAR(a.pose().x(), 10.0, 1.0);
 }
 
 }  // namespace
