@@ -16,6 +16,7 @@
 
 #include "settings/load.hpp"
 #include "tools/image_file.hpp"
+#include "tools/number_list.hpp"
 #include "vision/ring_calibration.hpp"
 
 namespace teamsight::tools {
@@ -30,23 +31,35 @@ struct RingOptions {
   std::string base;
   std::string out;
   std::string image;
-  std::vector<double> distances;
-  std::vector<double> centre;
+  std::string distances;
+  std::string centre;
   double inner_px{0.0};
 };
+
+std::vector<double> growing_distances(const std::string& text) {
+  std::vector<double> distances = read_numbers("--distances", text);
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (distances[i] > (i > 0 ? distances[i - 1] : 0.0)) continue;
+    throw std::runtime_error("--distances: found \"" + text +
+                             "\", expected growing distances over 0 m");
+  }
+  return distances;
+}
 
 vision::RingRules rules_of(const RingOptions& options,
                            const vision::CameraParameters& camera,
                            const vision::RadialTable& table,
                            const ImageFile& picture) {
   vision::RingRules rules;
-  rules.distances = options.distances;
+  rules.distances = growing_distances(options.distances);
   rules.sectors = camera.mask.sectors;
   rules.mirror_height = table.mirror_height;
   rules.inner_radius_px = std::max({camera.mask.inner_radius_px, options.inner_px, 20.0});
-  rules.centre = options.centre.empty()
-                     ? vision::Pixel{0.5 * picture.width_px, 0.5 * picture.height_px}
-                     : vision::Pixel{options.centre[0], options.centre[1]};
+  rules.centre = {0.5 * picture.width_px, 0.5 * picture.height_px};
+  if (!options.centre.empty()) {
+    const std::vector<double> centre = read_numbers("--centre", options.centre, 2);
+    rules.centre = {centre[0], centre[1]};
+  }
   return rules;
 }
 
@@ -88,12 +101,6 @@ int calibrate(const RingOptions& options) {
   if (table == nullptr) {
     throw std::runtime_error(options.base + ": mirror: found profile, expected radial_table");
   }
-  for (std::size_t i = 1; i < options.distances.size(); ++i) {
-    if (options.distances[i] > options.distances[i - 1]) continue;
-    throw std::runtime_error("--distances: found " + std::to_string(options.distances[i]) +
-                             " after " + std::to_string(options.distances[i - 1]) +
-                             ", expected growing distances in m");
-  }
   const ImageFile picture = read_grey_picture(options.image);
   const auto calibration =
       vision::calibrate_rings(picture.view(), rules_of(options, camera, *table, picture));
@@ -120,11 +127,8 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   rings->add_option("--base", options->base, "camera file to start from; needs a radial table")
       ->required();
   rings->add_option("--distances", options->distances, "of the rings in m, comma separated")
-      ->delimiter(',')
       ->required();
-  rings->add_option("--centre", options->centre, "u_px,v_px in the picture; else its middle")
-      ->delimiter(',')
-      ->expected(2);
+  rings->add_option("--centre", options->centre, "u_px,v_px in the picture; else its middle");
   rings->add_option("--inner", options->inner_px, "px; rings are looked for beyond this radius");
   rings->add_option("--out", options->out, "camera file to write");
   rings->add_option("image", options->image, "picture of the rings")->required();

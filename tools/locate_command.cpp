@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
+#include "tools/number_list.hpp"
 #include "tools/sight_drawing.hpp"
 #include "tools/viewer.hpp"
 
@@ -30,7 +31,7 @@ struct LocateOptions {
   std::string camera;
   std::string field;
   std::string method{"track"};
-  std::vector<double> prior;
+  std::string prior;
   std::string draw;
   std::vector<std::string> images;
 };
@@ -38,7 +39,8 @@ struct LocateOptions {
 vision::MotionPrior prior_of(const LocateOptions& options) {
   vision::MotionPrior prior;
   if (options.method == "global" || options.prior.empty()) return prior;
-  prior.X_FR = Pose<Field, Robot>(options.prior[0], options.prior[1], options.prior[2]);
+  const std::vector<double> pose = read_numbers("--prior", options.prior, 3);
+  prior.X_FR = Pose<Field, Robot>(pose[0], pose[1], pose[2]);
   prior.cov = Eigen::Vector3d(kPriorSigma * kPriorSigma,
                               kPriorSigma * kPriorSigma,
                               kPriorSigmaHeading * kPriorSigmaHeading)
@@ -121,7 +123,7 @@ void add_locate_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--method", options->method, "track: from the prior, else global; global: always")
       ->check(CLI::IsMember({"track", "global"}));
-  command->add_option("--prior", options->prior, "x_m,y_m,theta_rad")->delimiter(',')->expected(3);
+  command->add_option("--prior", options->prior, "x_m,y_m,theta_rad");
   command->add_option("--draw", options->draw, "folder for an SVG and a PNG of each image");
   command->add_option("images", options->images, "pictures, or .raw dumps of the camera")
       ->required();

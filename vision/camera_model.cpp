@@ -108,20 +108,24 @@ std::optional<Pixel> CameraModel::project_on_meridian(const Point3<Robot>& p_R) 
     return Pixel{centre_.u + radius * std::cos(direction),
                  centre_.v - radius * std::sin(direction)};
   };
+  // Whether the ray at this radius passes below the point; nothing beside the mirror.
+  const auto is_below = [&](double radius) -> std::optional<bool> {
+    const auto here = miss(pixel_at(radius), p_R);
+    return here ? std::optional(here->x() < 0.0) : std::nullopt;
+  };
   constexpr int kStride = 8;  // px; the mirror's rays rise outwards
   constexpr int kFarthest = 4096;
   double low = 0.0;
   double high = 0.0;
   for (int radius = 1; radius < kFarthest && high == 0.0; radius += kStride) {
-    const auto here = miss(pixel_at(radius), p_R);
-    if (!here && low > 0.0) break;
-    if (here) (here->x() < 0.0 ? low : high) = radius;
+    const auto below = is_below(radius);
+    if (!below && low > 0.0) break;
+    if (below) (*below ? low : high) = radius;
   }
   if (low == 0.0 || high == 0.0) return std::nullopt;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (low + high);
-    const auto here = miss(pixel_at(middle), p_R);
-    (here && here->x() < 0.0 ? low : high) = middle;
+    (is_below(middle).value_or(false) ? low : high) = middle;
   }
   return pixel_at(0.5 * (low + high));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -25,6 +26,9 @@ constexpr double kStep = 0.25;      // px along a direction
 constexpr float kContrast = 12.0F;  // grey levels of a ring over both sides
 constexpr double kBin = 0.5;        // px of the votes' histogram
 constexpr double kNear = 3.0;       // px: a bump this near to a ring's radius is that ring's
+constexpr double kApart = 2.0;      // px between two rings; nearer ones run together
+constexpr int kCoarseReach = 15;    // px, of the first search for the centre
+constexpr double kOneRing = 1.2;    // of the directions: more bumps than one ring can have
 constexpr double kShare = 0.35;     // of the directions in which a ring must be seen
 constexpr int kCentreRounds = 6;
 constexpr double kMadToSigma = 1.4826;
@@ -38,6 +42,12 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+std::vector<double> radii_of(const std::vector<Bump>& bumps) {
+  std::vector<double> radii(bumps.size());
+  std::ranges::transform(bumps, radii.begin(), &Bump::radius);
+  return radii;
 }
 
 float luminance_at(const PixelReader& pixels, double u, double v) {
@@ -70,34 +80,38 @@ std::vector<float> profile_of(const ImageView& image,
   return profile;
 }
 
+// The middle at half height of the maximum at `top`, whose inner valley is as deep as `valley`;
+// the outer one lies at or behind `after`. In samples.
+double middle_of(std::span<const float> profile, std::size_t top, std::size_t after, float valley) {
+  const std::size_t n = profile.size();
+  std::size_t bottom = after;
+  while (bottom + 1 < n && profile[bottom + 1] <= profile[bottom]) ++bottom;
+  const float level = 0.5F * (profile[top] + std::max(valley, profile[bottom]));
+  std::size_t inner = top;
+  std::size_t outer = top;
+  while (inner > 0 && profile[inner - 1] > level) --inner;
+  while (outer + 1 < n && profile[outer + 1] > level) ++outer;
+  return 0.5 * static_cast<double>(inner + outer);
+}
+
 // Local maxima that stand out from the valleys on both sides; the middle at half height.
 void add_bumps(std::span<const float> profile,
                const RingRules& rules,
                double direction,
                std::vector<Bump>& bumps) {
-  const std::size_t n = profile.size();
-  float valley = n > 0 ? profile[0] : 0.0F;
+  float valley = profile.empty() ? 0.0F : profile[0];
   std::size_t top = 0;
   bool rising = false;
-  for (std::size_t i = 1; i < n; ++i) {
+  for (std::size_t i = 1; i < profile.size(); ++i) {
     if (!rising) {
       valley = std::min(valley, profile[i]);
-      if (profile[i] < valley + kContrast) continue;
-      rising = true;
+      rising = profile[i] >= valley + kContrast;
       top = i;
       continue;
     }
     if (profile[i] > profile[top]) top = i;
     if (profile[i] > profile[top] - kContrast) continue;
-    // Down again: the other valley lies ahead.
-    std::size_t bottom = i;
-    while (bottom + 1 < n && profile[bottom + 1] <= profile[bottom]) ++bottom;
-    const float level = 0.5F * (profile[top] + std::max(valley, profile[bottom]));
-    std::size_t inner = top;
-    std::size_t outer = top;
-    while (inner > 0 && profile[inner - 1] > level) --inner;
-    while (outer + 1 < n && profile[outer + 1] > level) ++outer;
-    const double middle = 0.5 * static_cast<double>(inner + outer);
+    const double middle = middle_of(profile, top, i, valley);
     bumps.push_back({direction, rules.inner_radius_px + kStep * middle});
     valley = profile[i];
     rising = false;
@@ -128,34 +142,60 @@ double open_directions(const RingRules& rules) {
   return count;
 }
 
+std::vector<double> histogram_of(const std::vector<Bump>& bumps) {
+  const double largest = std::ranges::max_element(bumps, {}, &Bump::radius)->radius;
+  std::vector<double> histogram(static_cast<std::size_t>(largest / kBin) + 2, 0.0);
+  for (const Bump& bump : bumps) histogram[static_cast<std::size_t>(bump.radius / kBin)] += 1.0;
+  return histogram;
+}
+
 // Radii at which many directions have a bump, growing.
 std::vector<double> vote(const std::vector<Bump>& bumps, double directions) {
-  std::vector<double> radii;
-  for (const Bump& bump : bumps) radii.push_back(bump.radius);
-  if (radii.empty()) return {};
-  const double largest = *std::ranges::max_element(radii);
-  std::vector<double> histogram(static_cast<std::size_t>(largest / kBin) + 2, 0.0);
-  for (const double radius : radii) histogram[static_cast<std::size_t>(radius / kBin)] += 1.0;
-  // Votes within 1.5 px; a ring that wobbles by a pixel still gathers them.
-  constexpr std::ptrdiff_t kWindow = 3;
+  if (bumps.empty()) return {};
+  const std::vector<double> histogram = histogram_of(bumps);
+  // Votes within 1 px; a ring that wobbles by that much still gathers them.
+  constexpr std::ptrdiff_t kWindow = 2;
   const auto last = static_cast<std::ptrdiff_t>(histogram.size()) - 1;
   const auto votes = [&](std::ptrdiff_t bin) {
-    double sum = 0.0;
-    for (std::ptrdiff_t b = std::max<std::ptrdiff_t>(0, bin - kWindow);
-         b <= std::min(last, bin + kWindow);
-         ++b) {
-      sum += histogram[static_cast<std::size_t>(b)];
-    }
-    return sum;
+    const auto begin = histogram.begin() + std::clamp<std::ptrdiff_t>(bin - kWindow, 0, last);
+    const auto end = histogram.begin() + std::clamp<std::ptrdiff_t>(bin + kWindow, 0, last) + 1;
+    return std::accumulate(begin, end, 0.0);
   };
   std::vector<double> found;
   for (std::ptrdiff_t bin = 0; bin <= last; ++bin) {
     const double here = votes(bin);
     if (here < kShare * directions || here < votes(bin - 1) || here <= votes(bin + 1)) continue;
-    if (!found.empty() && (static_cast<double>(bin) + 0.5) * kBin - found.back() < kNear) continue;
-    found.push_back((static_cast<double>(bin) + 0.5) * kBin);
+    const double radius = (static_cast<double>(bin) + 0.5) * kBin;
+    if (found.empty() || radius - found.back() >= kApart) found.push_back(radius);
   }
   return found;
+}
+
+// How few radii gather the bumps when the centre is moved by `shift`; more is better.
+double sharpness(const std::vector<Bump>& bumps, const Pixel& shift, std::vector<Bump>& moved) {
+  std::ranges::transform(bumps, moved.begin(), [&](const Bump& bump) {
+    return Bump{bump.direction,
+                std::hypot(bump.radius * std::cos(bump.direction) - shift.u,
+                           bump.radius * std::sin(bump.direction) + shift.v)};
+  });
+  const std::vector<double> histogram = histogram_of(moved);
+  return std::inner_product(histogram.begin(), histogram.end(), histogram.begin(), 0.0);
+}
+
+// The shift of the centre, in whole pixels, that gathers the bumps in the fewest radii.
+Pixel coarse_shift(const std::vector<Bump>& bumps) {
+  Pixel best;
+  double best_sharpness = 0.0;
+  std::vector<Bump> moved(bumps);
+  for (int du = -kCoarseReach; du <= kCoarseReach; ++du) {
+    for (int dv = -kCoarseReach; dv <= kCoarseReach; ++dv) {
+      const Pixel shift{static_cast<double>(du), static_cast<double>(dv)};
+      const double here = sharpness(bumps, shift, moved);
+      if (here > best_sharpness) best = shift;
+      best_sharpness = std::max(best_sharpness, here);
+    }
+  }
+  return best;
 }
 
 // The bumps that belong to the ring at `radius`.
@@ -173,6 +213,26 @@ std::vector<Bump> ring_bumps(const std::vector<Bump>& bumps,
   return mine;
 }
 
+// A ring that wobbles may win votes at two radii, each in its own directions; two rings are both
+// seen in the same directions. Joins the former.
+std::vector<double> join_halves(std::vector<double> radii,
+                                const std::vector<Bump>& bumps,
+                                double directions) {
+  for (std::size_t k = 0; k + 1 < radii.size();) {
+    const std::size_t seen =
+        ring_bumps(bumps, radii, radii[k]).size() + ring_bumps(bumps, radii, radii[k + 1]).size();
+    const bool is_one =
+        radii[k + 1] - radii[k] < 2.0 * kNear && static_cast<double>(seen) < kOneRing * directions;
+    if (is_one) {
+      radii[k] = 0.5 * (radii[k] + radii[k + 1]);
+      radii.erase(radii.begin() + static_cast<std::ptrdiff_t>(k + 1));
+    } else {
+      ++k;
+    }
+  }
+  return radii;
+}
+
 // Moves the centre so that every ring's radius is the same in all directions: least squares of
 // radius = r_k + a cos + b sin over the bumps near the rings, with far ones weighted down.
 Pixel centre_shift(const std::vector<Bump>& bumps, const std::vector<double>& radii) {
@@ -181,9 +241,7 @@ Pixel centre_shift(const std::vector<Bump>& bumps, const std::vector<double>& ra
   for (const double radius : radii) {
     const auto mine = ring_bumps(bumps, radii, radius);
     if (mine.size() < 10) continue;
-    std::vector<double> own;
-    for (const Bump& bump : mine) own.push_back(bump.radius);
-    const double middle = median(own);
+    const double middle = median(radii_of(mine));
     for (const Bump& bump : mine) {
       const Eigen::Vector2d along{std::cos(bump.direction), std::sin(bump.direction)};
       const double off = bump.radius - middle;
@@ -200,14 +258,14 @@ FoundRing measure(const std::vector<Bump>& bumps,
                   const std::vector<double>& radii,
                   double radius,
                   double distance) {
-  std::vector<double> own;
-  for (const Bump& bump : ring_bumps(bumps, radii, radius)) own.push_back(bump.radius);
+  const std::vector<double> own = radii_of(ring_bumps(bumps, radii, radius));
   FoundRing ring;
   ring.directions = own.size();
   ring.mark.distance = distance;
   ring.mark.radius_px = median(own);
-  std::vector<double> off;
-  for (const double r : own) off.push_back(std::abs(r - ring.mark.radius_px));
+  std::vector<double> off(own.size());
+  std::ranges::transform(
+      own, off.begin(), [&](double r) { return std::abs(r - ring.mark.radius_px); });
   ring.mark.sigma_px = std::max(0.05, kMadToSigma * median(off));
   // Neighbouring directions share their pixels: about one independent look per 4 degrees.
   const double looks = std::max(1.0, static_cast<double>(own.size()) / 8.0);
@@ -234,17 +292,20 @@ void leave_one_out(std::vector<FoundRing>& rings, double height) {
 }  // namespace
 
 Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
-                                                     const RingRules& given) {
+                                                     const RingRules& guess) {
   if (image.format != PixelFormat::kGrey || !is_whole(image)) {
     return failure(RingFailure::kNotGrey);
   }
-  RingRules rules = given;
+  RingRules rules = guess;
   const double directions = open_directions(rules);
-  std::vector<Bump> bumps;
+  std::vector<Bump> bumps = find_bumps(image, rules);
+  if (bumps.empty()) return failure(RingFailure::kTooFew);
+  const Pixel coarse = coarse_shift(bumps);
+  rules.centre = {rules.centre.u + coarse.u, rules.centre.v + coarse.v};
   std::vector<double> radii;
   for (int round = 0; round < kCentreRounds; ++round) {
     bumps = find_bumps(image, rules);
-    radii = vote(bumps, directions);
+    radii = join_halves(vote(bumps, directions), bumps, directions);
     if (radii.empty()) return failure(RingFailure::kTooFew);
     const Pixel shift = centre_shift(bumps, radii);
     rules.centre = {rules.centre.u + shift.u, rules.centre.v + shift.v};

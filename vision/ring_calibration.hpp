@@ -45,6 +45,6 @@ enum class RingFailure : std::uint8_t {
 /// medians, so that struts and dirt do not matter. The k-th ring outwards is the k-th distance;
 /// rings that run together beyond are left out.
 [[nodiscard]] Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
-                                                                   const RingRules& rules);
+                                                                   const RingRules& guess);
 
 }  // namespace teamsight::vision

@@ -100,14 +100,19 @@ ScanLines::ScanLines(const CameraParameters& parameters,
   }
   for (int radius = kFirstCircle; radius < reach; radius += kCircleSpacing) {
     const auto steps = static_cast<int>(std::ceil(kTurn * radius));
-    std::size_t first = samples_.size();
-    for (int step = 0; step < steps; ++step) {
-      const auto sample = sampler.at(radius, kTurn * step / steps);
-      if (sample) samples_.push_back(*sample);
-      if (sample && step + 1 < steps) continue;
-      close(circular_, {first, 0, 0.0});
-      first = samples_.size();
-    }
+    add_circle(steps, [&](int step) { return sampler.at(radius, kTurn * step / steps); });
+  }
+}
+
+void ScanLines::add_circle(int steps,
+                           const std::function<std::optional<ScanSample>(int)>& sample_at) {
+  std::size_t first = samples_.size();
+  for (int step = 0; step < steps; ++step) {
+    const auto sample = sample_at(step);
+    if (sample) samples_.push_back(*sample);
+    if (sample && step + 1 < steps) continue;
+    close(circular_, {first, 0, 0.0});
+    first = samples_.size();
   }
 }
 

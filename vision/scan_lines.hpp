@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,6 +56,8 @@ class ScanLines {
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
  private:
+  /// Appends the arcs of one circle; `sample_at` gives nothing where the view is masked.
+  void add_circle(int steps, const std::function<std::optional<ScanSample>(int)>& sample_at);
   /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
   void close(std::vector<ScanRange>& ranges, ScanRange range);
 
