@@ -86,9 +86,9 @@ vision::MotionPrior Motion::prior_at(HostTime exposure) const {
   if (!known_.has_value()) {
     return prior;
   }
-  const auto X_DR_then = drive_at(known_->at);
-  const auto X_DR_now = drive_at(exposure);
-  const bool has_wheels = X_DR_then.has_value() && X_DR_now.has_value();
+  const auto then_X_DR = drive_at(known_->at);
+  const auto now_X_DR = drive_at(exposure);
+  const bool has_wheels = then_X_DR.has_value() && now_X_DR.has_value();
   const double passed = std::abs(to_seconds(exposure - known_->at));
   const double sigma_v = has_wheels ? parameters_.sigma_slip : parameters_.sigma_v;
   const double sigma_omega = has_wheels ? parameters_.sigma_turn_slip : parameters_.sigma_omega;
@@ -99,7 +99,7 @@ vision::MotionPrior Motion::prior_at(HostTime exposure) const {
   if (std::sqrt(std::max(cov(0, 0), cov(1, 1))) > parameters_.sigma_useless) {
     return prior;
   }
-  prior.X_FR = has_wheels ? known_->X_FR * (X_DR_then->inverse() * *X_DR_now) : known_->X_FR;
+  prior.X_FR = has_wheels ? known_->X_FR * (then_X_DR->inverse() * *now_X_DR) : known_->X_FR;
   prior.cov = cov;
   prior.half_log_odds = known_->half_log_odds;
   return prior;

@@ -219,19 +219,23 @@ void be_child_of(pid_t parent) {
 }
 
 // Before any thread or bus: what fork() copies is only memory.
+pid_t start_robot(const Options& options, const Setup& setup, std::size_t player) {
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child != 0) {
+    return child;
+  }
+  be_child_of(parent);
+  const auto play = [&] {
+    return play_robot(options, setup, player);
+  };
+  ::_exit(process::run_program("teamsight-sim", play));
+}
+
 std::vector<pid_t> start_robots(const Options& options, const Setup& setup) {
   std::vector<pid_t> children;
-  const pid_t parent = ::getpid();
   for (std::size_t player = 0; player < setup.match.robots.size(); ++player) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      be_child_of(parent);
-      const auto play = [&] {
-        return play_robot(options, setup, player);
-      };
-      ::_exit(process::run_program("teamsight-sim", play));
-    }
-    children.push_back(child);
+    children.push_back(start_robot(options, setup, player));
   }
   return children;
 }

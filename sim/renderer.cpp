@@ -223,9 +223,8 @@ void Renderer::paint_sector(const Point<Robot>& p_R,
   const auto nearest = static_cast<float>(distance - radius);
   for (std::size_t i = 0; i < std::min(bins, kBins); ++i) {
     for (const Sight& sight : sights_beyond((first + i) % kBins, nearest)) {
-      if (hits(sight)) {
-        materials_[sight.pixel] = material;
-      }
+      std::uint8_t& shown = materials_[sight.pixel];
+      shown = hits(sight) ? material : shown;
     }
   }
 }

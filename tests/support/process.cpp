@@ -80,7 +80,8 @@ std::vector<std::string> merged_environment(const ChildProcess::Environment& cha
     }
   }
   for (const auto& [name, value] : changes) {
-    all.push_back(name + "=" + value);
+    all.push_back(name);
+    all.back().append("=").append(value);
   }
   return all;
 }
@@ -140,7 +141,7 @@ bool wait_until(const std::function<bool()>& is_true, std::chrono::milliseconds 
 }
 
 fs::path program(const std::string& name) {
-  const fs::path path = environment_path("TEAMSIGHT_BIN_DIR") / name;
+  fs::path path = environment_path("TEAMSIGHT_BIN_DIR") / name;
   if (::access(path.c_str(), X_OK) != 0) {
     throw std::runtime_error(path.string() + " is not there: build it first");
   }
@@ -163,7 +164,7 @@ TempDirectory::~TempDirectory() {
 }
 
 fs::path TempDirectory::write(const std::string& name, const std::string& text) const {
-  const fs::path path = path_ / name;
+  fs::path path = path_ / name;
   std::ofstream file(path, std::ios::binary);
   file << text;
   if (!file.flush()) {

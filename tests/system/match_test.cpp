@@ -31,11 +31,11 @@ class TruthBook {
     reader_.take(bus::host_now(), [this](const bus::Sample<bus::Truth>& sample) {
       if (sample.message.has_value()) {
         book_.push_back(*sample.message);
-        if (book_.size() > 1000) {
-          book_.pop_front();
-        }
       }
     });
+    while (book_.size() > 1000) {
+      book_.pop_front();
+    }
   }
 
   [[nodiscard]] const bus::Truth* at(PeerTime stamp) const {
@@ -141,7 +141,7 @@ class SimulatedMatch : public testing::Test {
     }
   }
 
-  bus::Participant join_match() const {
+  [[nodiscard]] bus::Participant join_match() const {
     const auto team = settings::load_team(team_.config().file("teams/demo.textproto"));
     return bus::Participant::join(
         process::host_domain(team, {unique_domain(), {}}, team.name + ".match"));

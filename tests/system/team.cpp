@@ -1,6 +1,7 @@
 // tests/system/team.cpp: see team.hpp.
 #include "tests/system/team.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -109,14 +110,13 @@ void Listener::listen() {
 }
 
 std::optional<WorldTeammate> Listener::teammate(RobotId robot) const {
-  if (world.has_value()) {
-    for (const WorldTeammate& mate : world->teammates) {
-      if (mate.robot == robot) {
-        return mate;
-      }
-    }
+  if (!world.has_value()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const auto& all = world->teammates;
+  const auto mate = std::find_if(
+      all.begin(), all.end(), [robot](const WorldTeammate& one) { return one.robot == robot; });
+  return mate == all.end() ? std::nullopt : std::optional(*mate);
 }
 
 std::uint32_t Listener::relocate(RobotId robot, const Pose<Field, Robot>& X_FR) {
