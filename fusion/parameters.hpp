@@ -32,6 +32,9 @@ struct TrackParameters {
   /// A track whose log-odds of existence fall below this is dropped.
   double death_log_odds{-2.0};
   double max_log_odds{4.6};  ///< 99 %
+  /// A track whose place is known worse (larger semi-axis of one sigma, m) is kept, and may be
+  /// found again under its id, but not published: nobody can act on it.
+  double max_sigma_published{1.0};
   /// Two tracks nearer than this (m) are one thing: the younger is dropped.
   double merge_distance{0.15};
 };
@@ -41,6 +44,7 @@ struct TrackParameters {
   ball.velocity_decay = 0.2;
   ball.sigma_speed_at_birth = 3.0;
   ball.detection_probability = 0.6;
+  ball.max_sigma_published = 3.0;  // even a rough memory of the ball says where to look
   return ball;
 }
 

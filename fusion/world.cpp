@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "fusion/state.hpp"
 
 namespace teamsight::fusion {
@@ -70,6 +72,11 @@ WorldTeammate world_teammate(const Teammate& known, HostTime now, const Paramete
   return teammate;
 }
 
+bool is_placed(const Eigen::Matrix2d& cov, const TrackParameters& parameters) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(cov, Eigen::EigenvaluesOnly);
+  return axes.eigenvalues().maxCoeff() <= std::pow(parameters.max_sigma_published, 2);
+}
+
 bool is_listed(const Track& track, HostTime now, const TrackParameters& parameters) {
   return track.is_confirmed && now - track.last_hit <= parameters.death_age;
 }
@@ -94,14 +101,14 @@ WorldModel world_of(const State& state, HostTime now, const Parameters& paramete
   WorldModel world;
   world.stamp = stamp_of(now);
   for (const Track& track : state.balls) {
-    if (is_listed(track, now, parameters.ball)) {
-      world.balls.push_back(world_ball(track, now, parameters));
-    }
+    if (!is_listed(track, now, parameters.ball)) continue;
+    const WorldBall ball = world_ball(track, now, parameters);
+    if (is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball)) world.balls.push_back(ball);
   }
   for (const Track& track : state.obstacles) {
-    if (is_listed(track, now, parameters.obstacle)) {
-      world.obstacles.push_back(world_obstacle(track, now, parameters));
-    }
+    if (!is_listed(track, now, parameters.obstacle)) continue;
+    const WorldObstacle obstacle = world_obstacle(track, now, parameters);
+    if (is_placed(obstacle.cov_p, parameters.obstacle)) world.obstacles.push_back(obstacle);
   }
   for (const Teammate& teammate : state.teammates) {
     if (now - teammate.seen <= parameters.teammate.forget_age) {

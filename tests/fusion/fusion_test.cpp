@@ -120,6 +120,24 @@ TEST(Fusion, ABallWithoutAnyObserverAgesAndLeaves) {
   EXPECT_TRUE(fusion.world_at(at_second(5.0)).balls.empty());
 }
 
+TEST(Fusion, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
+  Parameters parameters;
+  parameters.ball.max_sigma_published = 0.5;
+  parameters.ball.death_age = seconds(60);
+  Fusion fusion(parameters, test::plain_field());
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  const WorldModel unseen = fusion.world_at(at_second(3.0));
+  watch(fusion, eye, kLeftOfBall, 3.0, 3.1, see_the_ball);
+  const WorldModel seen_again = fusion.world_at(at_second(3.1));
+
+  EXPECT_TRUE(unseen.balls.empty());
+  ASSERT_EQ(seen_again.balls.size(), 1U);
+  EXPECT_EQ(seen_again.balls[0].track, track);
+}
+
 TEST(Fusion, DoesNotMissABallBehindAnObstacle) {
   Fusion hidden = make_fusion();
   Fusion open = make_fusion();
