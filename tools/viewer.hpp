@@ -13,8 +13,8 @@ namespace teamsight::tools {
 /// What a viewer saw in one file.
 struct Viewed {
   ImageFile frame;
-  const vision::FrameObservation* seen;  ///< until the next call
-  double time_ms{0.0};                   ///< of the perception alone, without reading the file
+  const vision::FrameObservation* seen{nullptr};  ///< until the next call
+  double time_ms{0.0};  ///< of the perception alone, without reading the file
 };
 
 /// Looks at image files through a camera file. Keeps one Perception for the camera's own pixel

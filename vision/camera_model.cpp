@@ -117,10 +117,12 @@ std::optional<Pixel> CameraModel::project_on_meridian(const Point3<Robot>& p_R) 
   constexpr int kFarthest = 4096;
   double low = 0.0;
   double high = 0.0;
-  for (int radius = 1; radius < kFarthest && high == 0.0; radius += kStride) {
+  for (int radius = 1; radius < kFarthest; radius += kStride) {
     const auto below = is_below(radius);
-    if (!below && low > 0.0) break;
-    if (below) (*below ? low : high) = radius;
+    if (below == true) low = radius;
+    if (below == false) high = radius;
+    const bool has_left_mirror = !below && low > 0.0;
+    if (high > 0.0 || has_left_mirror) break;
   }
   if (low == 0.0 || high == 0.0) return std::nullopt;
   for (int i = 0; i < 20; ++i) {

@@ -10,6 +10,9 @@ namespace teamsight::vision {
 
 namespace {
 
+constexpr PixelRay kBlind{.floor_x = std::numeric_limits<float>::quiet_NaN(),
+                          .floor_y = std::numeric_limits<float>::quiet_NaN()};
+
 PixelRay look_along(const CameraModel& model, double u, double v) {
   PixelRay entry;
   entry.floor_x = std::numeric_limits<float>::quiet_NaN();
@@ -60,20 +63,23 @@ RayTable::RayTable(const CameraModel& model, std::uint32_t width_px, std::uint32
   for (std::uint32_t v = 0; v < height_; ++v) {
     for (std::uint32_t u = 0; u < width_; ++u) rays_.push_back(look_along(model, u, v));
   }
-  static constexpr PixelRay kNothing{.floor_x = std::numeric_limits<float>::quiet_NaN(),
-                                     .floor_y = std::numeric_limits<float>::quiet_NaN()};
   for (std::uint32_t v = 0; v < height_; ++v) {
     for (std::uint32_t u = 0; u < width_; ++u) {
       PixelRay& here = rays_[std::size_t{v} * width_ + u];
-      if (!here.sees_floor()) continue;
-      set_footprint(
-          here,
-          floor_step(
-              here, u + 1 < width_ ? at(u + 1, v) : kNothing, u > 0 ? at(u - 1, v) : kNothing),
-          floor_step(
-              here, v + 1 < height_ ? at(u, v + 1) : kNothing, v > 0 ? at(u, v - 1) : kNothing));
+      if (here.sees_floor()) set_footprint(here, step_along_u(u, v), step_along_v(u, v));
     }
   }
+}
+
+// Beyond the border of the image nothing is seen: floor_step then uses the other neighbour alone.
+Eigen::Vector2f RayTable::step_along_u(std::uint32_t u, std::uint32_t v) const {
+  return floor_step(
+      at(u, v), u + 1 < width_ ? at(u + 1, v) : kBlind, u > 0 ? at(u - 1, v) : kBlind);
+}
+
+Eigen::Vector2f RayTable::step_along_v(std::uint32_t u, std::uint32_t v) const {
+  return floor_step(
+      at(u, v), v + 1 < height_ ? at(u, v + 1) : kBlind, v > 0 ? at(u, v - 1) : kBlind);
 }
 
 }  // namespace teamsight::vision

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "vision/camera_model.hpp"
 #include "vision/camera_parameters.hpp"
 
@@ -49,6 +51,10 @@ class RayTable {
   [[nodiscard]] std::uint32_t height() const { return height_; }
 
  private:
+  /// How the floor point moves from one pixel to the next, to the right or downwards; m.
+  [[nodiscard]] Eigen::Vector2f step_along_u(std::uint32_t u, std::uint32_t v) const;
+  [[nodiscard]] Eigen::Vector2f step_along_v(std::uint32_t u, std::uint32_t v) const;
+
   std::uint32_t width_;
   std::uint32_t height_;
   std::vector<PixelRay> rays_;
