@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "bus/clock.hpp"
+#include "monitor.pb.h"
+#include "tests/monitor/watcher.hpp"
 #include "tests/system/team.hpp"
 
 namespace teamsight::test {
@@ -23,6 +26,14 @@ constexpr double kClose = 0.10;      // m
 std::filesystem::path data_directory() {
   const char* given = std::getenv("TEAMSIGHT_DATA");  // NOLINT(concurrency-mt-unsafe): never set
   return given != nullptr ? std::filesystem::path(given) : source_path("../shared/data");
+}
+
+// A robot as the page is told of it; nothing while it has no posture.
+std::optional<v1::WorldTeammate> located(const v1::MonitorUpdate& update, RobotId robot) {
+  for (const v1::WorldTeammate& mate : update.world().teammates()) {
+    if (mate.robot_id() == robot && mate.status() != v1::POSTURE_LOST) return mate;
+  }
+  return std::nullopt;
 }
 
 // Four agents, each with one recorded frame, and a fusion beside each.
@@ -68,6 +79,18 @@ class Kassel : public testing::Test {
     return mate.has_value() ? (mate->X_FR.origin().vector() - place.vector()).norm() : 1e9;
   }
 
+  // Starts the coach station.
+  // @return where its page's connection is, "127.0.0.1:port"
+  std::string start_monitor() {
+    static_cast<void>(web_.write("index.html", "<html></html>"));
+    processes_.push_back(team_.monitor("teams/kassel.textproto", web_.path()));
+    const ChildProcess& monitor = *processes_.back();
+    EXPECT_TRUE(wait_until([&] { return monitor.out().find('}') != std::string::npos; }, 10s));
+    const std::string line = monitor.out();
+    const auto begin = line.find("http://");
+    return host_of(line.substr(begin, line.find('"', begin) - begin));
+  }
+
   [[nodiscard]] std::string errors() const {
     std::string all;
     for (const auto& process : processes_) {
@@ -77,6 +100,7 @@ class Kassel : public testing::Test {
   }
 
   std::filesystem::path frames_;
+  TempDirectory web_;
   Team team_{"kassel"};
   std::vector<std::unique_ptr<ChildProcess>> processes_;
   std::unique_ptr<bus::Participant> participant_;
@@ -89,6 +113,22 @@ TEST_F(Kassel, StandsInTheMiddleOfTheWorldModelWithoutAPrior) {
   ASSERT_TRUE(is_placed_after(HostTime{})) << errors();
 
   EXPECT_LT(distance_to({0.0, 0.0}), kClose);
+}
+
+TEST_F(Kassel, StandsInTheMiddleOfWhatTheCoachStationSends) {
+  start();
+  Watcher page(start_monitor());
+  const auto until = std::chrono::steady_clock::now() + 30s;
+
+  std::optional<v1::WorldTeammate> mate;
+  v1::MonitorUpdate update;
+  while (!mate.has_value() && std::chrono::steady_clock::now() < until) {
+    ASSERT_TRUE(update.ParseFromString(page.next())) << errors();
+    mate = located(update, kInTheMiddle);
+  }
+
+  ASSERT_TRUE(mate.has_value()) << errors();
+  EXPECT_LT(std::hypot(mate->posture().x_m(), mate->posture().y_m()), kClose);
 }
 
 TEST_F(Kassel, StandsInTheMiddleWhateverPriorItIsStartedWith) {

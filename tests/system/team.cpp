@@ -67,6 +67,17 @@ std::unique_ptr<ChildProcess> Team::fusion(int id) const {
                      config_.file("robots/" + robots_ + std::to_string(id) + ".textproto")}));
 }
 
+std::unique_ptr<ChildProcess> Team::monitor(const std::string& team_file,
+                                            const std::filesystem::path& web) const {
+  return std::make_unique<ChildProcess>(on_own_domain({program("teamsight-monitor").string(),
+                                                       "--team",
+                                                       config_.file(team_file),
+                                                       "--port",
+                                                       "0",
+                                                       "--web",
+                                                       web.string()}));
+}
+
 std::unique_ptr<ChildProcess> Team::simulator() const {
   return std::make_unique<ChildProcess>(on_own_domain({program("teamsight-sim").string(),
                                                        "--match",

@@ -51,6 +51,11 @@ class Team {
                                                     std::vector<std::string> more = {}) const;
   [[nodiscard]] std::unique_ptr<ChildProcess> fusion(int id) const;
 
+  /// The coach station on a free port, which it names in its first line.
+  /// @param web  directory of the page
+  [[nodiscard]] std::unique_ptr<ChildProcess> monitor(const std::string& team_file,
+                                                      const std::filesystem::path& web) const;
+
   /// The match of config/matches/demo.textproto, its FIFOs in `frames()`.
   [[nodiscard]] std::unique_ptr<ChildProcess> simulator() const;
 
