@@ -121,13 +121,12 @@ std::optional<Pixel> CameraModel::project_on_meridian(const Point3<Robot>& p_R) 
     const auto below = is_below(radius);
     if (below == true) low = radius;
     if (below == false) high = radius;
-    const bool has_left_mirror = !below && low > 0.0;
-    if (high > 0.0 || has_left_mirror) break;
+    if (high > 0.0) break;
   }
   if (low == 0.0 || high == 0.0) return std::nullopt;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (low + high);
-    (is_below(middle).value_or(false) ? low : high) = middle;
+    (is_below(middle) == true ? low : high) = middle;
   }
   return pixel_at(0.5 * (low + high));
 }

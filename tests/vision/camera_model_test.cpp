@@ -23,8 +23,8 @@ CameraParameters radial_camera(bool mirrored) {
   table.centre_u_px = 160.0;
   table.centre_v_px = 120.0;
   table.mirror_height = 0.8;
-  for (double radius = 10.0; radius <= 110.0; radius += 10.0) {
-    table.rows.push_back({radius, 0.7 * std::tan(0.0125 * radius), 0.5});
+  for (int radius = 10; radius <= 110; radius += 10) {
+    table.rows.push_back({1.0 * radius, 0.7 * std::tan(0.0125 * radius), 0.5});
   }
   camera.mirror = table;
   return camera;
@@ -41,7 +41,7 @@ CameraParameters profile_camera(double slope) {
   mirror.centre_u_px = 160.0;
   mirror.centre_v_px = 120.0;
   mirror.pinhole_height = 0.5;
-  for (double x = 0.0; x <= 0.06; x += 0.005) mirror.profile.push_back({x, 0.2 + slope * x});
+  for (int i = 0; i <= 12; ++i) mirror.profile.push_back({0.005 * i, 0.2 + slope * 0.005 * i});
   camera.mirror = mirror;
   return camera;
 }
@@ -158,7 +158,8 @@ TEST(MonotoneCurve, GrowsBetweenItsKnotsAndInverts) {
   const MonotoneCurve curve({{0.0, 0.0}, {1.0, 0.1}, {2.0, 3.0}, {5.0, 3.1}});
 
   double last = -1.0;
-  for (double x = 0.0; x <= 5.0; x += 0.01) {
+  for (int i = 0; i <= 500; ++i) {
+    const double x = 0.01 * i;
     EXPECT_GT(curve.at(x), last);
     last = curve.at(x);
     EXPECT_NEAR(curve.inverse(curve.at(x)), x, 1e-6);

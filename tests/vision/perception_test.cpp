@@ -29,8 +29,8 @@ CameraParameters small_camera() {
   table.centre_u_px = 159.5;
   table.centre_v_px = 119.5;
   table.mirror_height = 0.75;
-  for (double radius = 15.0; radius <= 118.0; radius += 5.0) {
-    table.rows.push_back({radius, 1.57 * std::tan(0.0118 * radius), 0.1});
+  for (int radius = 15; radius <= 118; radius += 5) {
+    table.rows.push_back({1.0 * radius, 1.57 * std::tan(0.0118 * radius), 0.1});
   }
   camera.mirror = table;
   camera.mask.inner_radius_px = 20.0;

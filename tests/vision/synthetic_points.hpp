@@ -48,12 +48,16 @@ inline std::vector<LinePoint> line_points_from(const FieldModel& field,
   std::vector<Eigen::Vector2d> paint;
   for (const FieldLine& line : field.lines) {
     const Eigen::Vector2d along = line.to.vector() - line.from.vector();
-    for (double s = 0.1; s < along.norm(); s += kSpacing) {
+    const auto pieces = static_cast<int>(along.norm() / kSpacing);
+    for (int i = 0; i < pieces; ++i) {
+      const double s = kSpacing * (i + 0.5);
       paint.emplace_back(line.from.vector() + s * along.normalized());
     }
   }
   for (const FieldArc& arc : field.arcs) {
-    for (double a = 0.0; a < arc.sweep; a += kSpacing / arc.radius) {
+    const auto pieces = static_cast<int>(arc.sweep * arc.radius / kSpacing);
+    for (int i = 0; i < pieces; ++i) {
+      const double a = arc.start + kSpacing / arc.radius * i;
       paint.emplace_back(arc.centre.vector() +
                          arc.radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
     }
