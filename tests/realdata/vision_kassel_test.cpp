@@ -22,11 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path source_dir() {
+  // A test has one thread when it reads its environment.
+  // NOLINTNEXTLINE(concurrency-mt-unsafe)
   const char* dir = std::getenv("TEAMSIGHT_SOURCE_DIR");
   return dir != nullptr ? fs::path(dir) : fs::current_path();
 }
 
 fs::path data_dir() {
+  // A test has one thread when it reads its environment.
+  // NOLINTNEXTLINE(concurrency-mt-unsafe)
   const char* dir = std::getenv("TEAMSIGHT_DATA");
   return dir != nullptr ? fs::path(dir) : source_dir() / ".." / "shared" / "data";
 }

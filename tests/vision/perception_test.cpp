@@ -81,25 +81,29 @@ Paint look(const Ray<Robot>& ray, const FieldModel& field, const Scene& scene) {
   return line && std::abs(line->distance) < 0.5 * field.line_width ? kWhite : kGreen;
 }
 
+// The mean of nine rays through a pixel: edges must be grey to be found well.
+Paint pixel_of(const CameraModel& model, const FieldModel& field, const Scene& scene, Pixel pixel) {
+  Paint sum{0, 0, 0};
+  for (const double du : {-1.0 / 3.0, 0.0, 1.0 / 3.0}) {
+    for (const double dv : {-1.0 / 3.0, 0.0, 1.0 / 3.0}) {
+      const auto ray = model.ray({pixel.u + du, pixel.v + dv});
+      const Paint paint = ray ? look(*ray, field, scene) : kBlack;
+      sum = {sum.y + paint.y, sum.u + paint.u, sum.v + paint.v};
+    }
+  }
+  return {sum.y / 9, sum.u / 9, sum.v / 9};
+}
+
 std::vector<std::uint8_t> frame_of(const CameraParameters& camera,
                                    const FieldModel& field,
                                    const Scene& scene) {
   const CameraModel model(camera);
-  std::vector<std::uint8_t> bytes(2 * kWidth * kHeight);
-  constexpr int kSub = 3;  // rays per pixel and direction: edges must be grey to be found well
+  std::vector<std::uint8_t> bytes;
   for (std::uint32_t v = 0; v < kHeight; ++v) {
     for (std::uint32_t u = 0; u < kWidth; ++u) {
-      Paint sum;
-      sum.u = sum.v = 0;
-      for (int k = 0; k < kSub * kSub; ++k) {
-        const Pixel pixel{u + (k % kSub - 1) / 3.0, v + (k / kSub - 1) / 3.0};
-        const auto ray = model.ray(pixel);
-        const Paint paint = ray ? look(*ray, field, scene) : kBlack;
-        sum = {sum.y + paint.y, sum.u + paint.u, sum.v + paint.v};
-      }
-      const std::size_t at = 2 * (std::size_t{v} * kWidth + u);
-      bytes[at] = static_cast<std::uint8_t>(sum.y / 9);
-      bytes[at + 1] = static_cast<std::uint8_t>((u % 2 == 0 ? sum.u : sum.v) / 9);
+      const Paint paint = pixel_of(model, field, scene, {1.0 * u, 1.0 * v});
+      bytes.push_back(static_cast<std::uint8_t>(paint.y));
+      bytes.push_back(static_cast<std::uint8_t>(u % 2 == 0 ? paint.u : paint.v));
     }
   }
   return bytes;
