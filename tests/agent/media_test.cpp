@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string write_picture(const test::TempDirectory& directory, int width, int height) {
-  const std::string path = (directory.path() / "picture.png").string();
+  std::string path = (directory.path() / "picture.png").string();
   cv::imwrite(path, cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30)));
   return path;
 }

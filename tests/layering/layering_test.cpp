@@ -138,16 +138,20 @@ std::vector<std::string> wrong_generated(const SourceFile& file) {
   return wrong;
 }
 
+void add_banned(const SourceFile& file, const Ban& ban, std::vector<std::string>& found) {
+  for (const std::string_view word : ban.words) {
+    if (file.text.find(word) != std::string::npos) {
+      found.push_back(file.path + " has " + std::string(word));
+    }
+  }
+}
+
 std::vector<std::string> banned_words(const SourceFile& file) {
   std::vector<std::string> found;
+  const Layer* layer = layer_of(file.path);
+  if (layer == nullptr) return found;
   for (const Ban& ban : kBans) {
-    const Layer* layer = layer_of(file.path);
-    if (layer == nullptr || layer->folder != ban.folder) continue;
-    for (const std::string_view word : ban.words) {
-      if (file.text.find(word) != std::string::npos) {
-        found.push_back(file.path + " has " + std::string(word));
-      }
-    }
+    if (layer->folder == ban.folder) add_banned(file, ban, found);
   }
   return found;
 }

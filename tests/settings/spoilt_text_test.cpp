@@ -21,7 +21,8 @@ std::string spoilt_at_random(std::string text) {
   const auto size = static_cast<int>(text.size());
   const int at = *rc::gen::inRange(0, size);
   const int gone = *rc::gen::inRange(0, 30);
-  const std::string signs("{}<>[]:;,#\"'\\\n\t -+.0e9an\x00\xff", 29);
+  using namespace std::string_literals;
+  const auto signs = "{}<>[]:;,#\"'\\\n\t -+.0e9an\x00\xff"s;
   const auto put = *rc::gen::container<std::string>(rc::gen::elementOf(signs));
   return text.replace(
       static_cast<std::size_t>(at), static_cast<std::size_t>(std::min(gone, size - at)), put);
