@@ -45,8 +45,9 @@ class Solver {
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   [[nodiscard]] double cost(int row, int column) const {
-    if (column >= cost_.cols()) return column - cost_.cols() == row ? price_ : kForbidden;
-    return cost_(row, column);
+    if (column < cost_.cols()) return cost_(row, column);
+    if (column - cost_.cols() == row) return price_;
+    return kForbidden;
   }
 
   // Costs may be negative, Dijkstra's edges may not: a new row starts at its cheapest column.
