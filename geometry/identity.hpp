@@ -26,8 +26,8 @@ struct ObservationId {
   RobotId robot{kNobody};
   std::uint32_t boot{0};      ///< drawn at random when the process starts; never 0 in a valid id
   std::uint32_t sequence{0};  ///< counts frames since then, from 1
-
-  friend auto operator<=>(const ObservationId&, const ObservationId&) = default;
+  // clang-tidy 14 takes the zero within <=> for a pointer.
+  friend auto operator<=>(const ObservationId&, const ObservationId&) = default;  // NOLINT
 };
 
 }  // namespace teamsight
