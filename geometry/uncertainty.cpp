@@ -20,10 +20,10 @@ using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStateSize,
 // Measured against the two standard deviations, so that small parts beside large ones count too.
 bool is_symmetric(const Eigen::Ref<const Eigen::MatrixXd>& cov) {
   constexpr double kRounding = 1e-6;  // what float32 on the wire leaves
-  for (Eigen::Index row = 0; row < cov.rows(); ++row) {
-    for (Eigen::Index column = 0; column < row; ++column) {
-      const double scale = std::sqrt(cov(row, row) * cov(column, column));
-      if (std::abs(cov(row, column) - cov(column, row)) > kRounding * scale) return false;
+  for (Eigen::Index i = 0; i < cov.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double scale = std::sqrt(cov(i, i) * cov(j, j));
+      if (std::abs(cov(i, j) - cov(j, i)) > kRounding * scale) return false;
     }
   }
   return true;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <deque>
 #include <optional>
 #include <set>
@@ -223,7 +224,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
  private:
-  void handle(Request request) {
+  void handle(const Request& request) {
     const bool is_own =
         is_own_page(view_of(request[http::field::host]), view_of(request[http::field::origin]));
     if (!is_own) {
@@ -302,16 +303,30 @@ struct WebServer::Impl {
   void accept_next() {
     acceptor.async_accept([this](ErrorCode error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      if (error) {  // out of descriptors, say: not a reason to spin
-        pause.expires_after(kAcceptPause);
-        pause.async_wait([this](ErrorCode stopped) {
-          if (!stopped) accept_next();
-        });
+      if (error) {
+        accept_later();
         return;
       }
       greet(std::move(socket));
       accept_next();
     });
+  }
+
+  // Out of descriptors, say: not a reason to spin.
+  void accept_later() {
+    pause.expires_after(kAcceptPause);
+    pause.async_wait([this](ErrorCode stopped) {
+      if (!stopped) accept_next();
+    });
+  }
+
+  // A handler that throws is a mistake of ours: the supervisor starts the station anew.
+  void run() noexcept {
+    try {
+      io.run();
+    } catch (...) {
+      std::abort();
+    }
   }
 
   void greet(Tcp::socket socket) {
@@ -349,7 +364,7 @@ WebServer::WebServer(WebServerSettings settings)
     : impl_(std::make_unique<Impl>(std::move(settings))) {
   impl_->listen();
   impl_->accept_next();
-  impl_->thread = std::thread([this]() noexcept { impl_->io.run(); });
+  impl_->thread = std::thread([this]() noexcept { impl_->run(); });
 }
 
 WebServer::~WebServer() {
