@@ -126,6 +126,7 @@ const Topic& topic_named(std::string_view name) {
 
 std::vector<std::string_view> echo_topics() {
   std::vector<std::string_view> names;
+  names.reserve(kTopics.size());
   for (const Topic& topic : kTopics) names.push_back(topic.name);
   return names;
 }
