@@ -194,10 +194,14 @@ int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& c
   }
   ObservationId id{kNobody, process::draw_boot_id(), 0};
   loop.every(10ms, [&] {
-    match.advance_to(to_seconds(bus::host_now() - setup.start));
+    const HostTime now = bus::host_now();
+    match.advance_to(std::max(0.0, to_seconds(now - setup.start) - kBeforeKickOff));
     if (writer.has_value()) {
       ++id.sequence;
-      writer->write(truth_of(match.state(), id, setup.start + from_seconds(match.time())));
+      writer->write(
+          truth_of(match.state(),
+                   id,
+                   std::min(now, setup.start + from_seconds(kBeforeKickOff + match.time()))));
     }
   });
   loop.every(100ms, [&] {

@@ -42,6 +42,10 @@ struct MatchState {
   Velocity3<Field> v_FB;
 };
 
+/// How long everybody stands before kick-off: agents that start with the match find themselves in
+/// the half that their robot file says.
+inline constexpr double kBeforeKickOff = 6.0;  // s
+
 /// A scripted match: everybody runs to places drawn at random, the nearest of each team goes for
 /// the ball and kicks it. Steps of fixed length, so that two copies stay equal for ever.
 class Match {

@@ -1,6 +1,7 @@
 // sim/robot_camera.cpp: see robot_camera.hpp.
 #include "sim/robot_camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,11 +28,13 @@ RobotCamera::RobotCamera(
 }
 
 void RobotCamera::advance_to(HostTime now) {
-  const double seconds = to_seconds(now - clock_.start);
+  const double seconds = to_seconds(now - clock_.start) - kBeforeKickOff;
   while (match_.time() + Match::kStep <= seconds) {
     match_.advance_to(match_.time() + Match::kStep);
     wheels_.roll(match_.state().players[player_], Match::kStep);
   }
+  // Before kick-off the match's first moment stands for the present.
+  moment_ = std::min(now, clock_.start + from_seconds(kBeforeKickOff + match_.time()));
 }
 
 void RobotCamera::tick(HostTime now) {
@@ -58,20 +61,13 @@ void RobotCamera::look() {
     }
   }
   renderer_.draw(scene_, noise_, picture_);
-  pipe_->send({renderer_.width_px(),
-               renderer_.height_px(),
-               renderer_.format(),
-               clock_.start + from_seconds(match_.time()),
-               frame_},
+  pipe_->send({renderer_.width_px(), renderer_.height_px(), renderer_.format(), moment_, frame_},
               picture_);
 }
 
 RobotCamera::Count RobotCamera::count(HostTime now) {
   advance_to(now);
-  return {clock_.start + from_seconds(match_.time()),
-          wheels_.pose(),
-          wheels_.velocity(),
-          wheels_.omega()};
+  return {moment_, wheels_.pose(), wheels_.velocity(), wheels_.omega()};
 }
 
 }  // namespace teamsight::sim

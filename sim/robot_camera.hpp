@@ -51,6 +51,7 @@ class RobotCamera {
   void look();
 
   std::size_t player_;
+  HostTime moment_{};  // what the match's state stands for
   CameraClock clock_;
   Match match_;
   Renderer renderer_;
