@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include <dds/dds.h>
+#include <unistd.h>
 
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
@@ -32,16 +33,21 @@ struct Job {
   int second_number{0};
 };
 
+// As every start of a program has: two processes under one robot id differ in it.
+std::uint32_t own_boot() {
+  return static_cast<std::uint32_t>(::getpid());
+}
+
 RobotState state_now(RobotId robot, std::uint32_t sequence) {
   auto message = bus::testing::full<RobotState>();
-  message.id = {robot, 1000U + robot, sequence};
+  message.id = {robot, own_boot(), sequence};
   message.exposure = message.published = stamp_of(host_now());
   return message;
 }
 
 WorldModel world_now(RobotId robot, std::uint32_t sequence, int strength) {
   auto message = bus::testing::full<WorldModel>();
-  message.id = {robot, 1000U + robot, sequence};
+  message.id = {robot, own_boot(), sequence};
   message.strength = static_cast<std::uint16_t>(strength);
   message.stamp = stamp_of(host_now());
   return message;

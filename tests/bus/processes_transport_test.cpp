@@ -219,17 +219,20 @@ TEST(Processes, UnderOneRobotIdAreToldApartByTheirWriter) {
   Reader<RobotState> reader(participant);
   std::set<std::uint64_t> writers;
   std::set<std::uint64_t> instances;
+  std::set<std::uint32_t> boots;
 
   take_until(
       reader,
       [&](const auto& sample) {
         writers.insert(sample.writer);
         instances.insert(sample.instance);
+        if (sample.message) boots.insert(sample.message->id.boot);
       },
       [&] { return writers.size() >= 2; });
 
   EXPECT_EQ(writers.size(), 2U);
   EXPECT_EQ(instances.size(), 1U);
+  EXPECT_EQ(boots.size(), 2U);
 }
 
 TEST(Reader, GivesTheLoanBackWhenTheHandlerThrows) {
