@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <map>
 #include <string>
 #include <system_error>
@@ -17,6 +16,7 @@
 #include <sys/timerfd.h>
 #include <unistd.h>
 
+#include "bus/ending_signals.hpp"
 #include "bus/participant.hpp"
 #include "geometry/expect.hpp"
 
@@ -29,31 +29,6 @@ int opened(int descriptor, const char* call) {
   if (descriptor >= 0) return descriptor;
   throw BusError(std::string(call) + ": " + std::generic_category().message(errno));
 }
-
-sigset_t ending_signals() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
-  return set;
-}
-
-// Blocked, so that they wait in the signalfd; put back at the end.
-class BlockedSignals {
- public:
-  BlockedSignals() {
-    const sigset_t set = ending_signals();
-    pthread_sigmask(SIG_BLOCK, &set, &before_);
-  }
-
-  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 class Descriptor {
  public:
@@ -121,7 +96,7 @@ struct Loop::Impl {
     (*handler)();
   }
 
-  BlockedSignals blocked;
+  HeldSignals held;
   Descriptor epoll{opened(epoll_create1(EPOLL_CLOEXEC), "epoll_create1")};
   Descriptor wake{opened(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd")};
   Descriptor signals{make_signal_fd()};

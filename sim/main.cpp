@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "bus/clock.hpp"
+#include "bus/ending_signals.hpp"
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
 #include "bus/writer.hpp"
@@ -256,6 +257,7 @@ void end_robots(const std::vector<pid_t>& children) {
 int run(const Options& options) {
   const Setup setup = load(options);
   std::filesystem::create_directories(options.frames);
+  const bus::HeldSignals held;  // or the second of two ends it before its robots
   std::vector<pid_t> children = start_robots(options, setup);
   try {
     const int code = tell_truth(options, setup, children);
