@@ -2,8 +2,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,9 +23,12 @@ using namespace std::chrono_literals;
 constexpr auto kStart = 60s;  // with other tests beside it
 constexpr auto kEnd = 20s;
 
+// As far as it can be read: that of a process that ends goes away meanwhile.
 std::string file_text(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 // The programs whose command line names a folder; ended ones have none.
