@@ -25,6 +25,7 @@ void check_teammate(WireCheck& check, const teamsight_v1_WorldTeammate& mate) {
   check.within(mate.vx_mps, kLargestSpeed);
   check.within(mate.vy_mps, kLargestSpeed);
   check.within(mate.half_log_odds, kLargestLogOdds);
+  check.within(mate.half_log_odds_team, kLargestLogOdds);
   check.percent(mate.trust_percent);
   check.code(mate.quarantine, static_cast<std::uint8_t>(Quarantine::kDuplicateId));
   check.flag(mate.sees_ball);
@@ -98,6 +99,8 @@ teamsight_v1_WorldTeammate write_teammate(const WorldTeammate& from, Encoding& e
   to.vx_mps = single(from.v_FR.x);
   to.vy_mps = single(from.v_FR.y);
   to.half_log_odds = single(from.half_log_odds);
+  to.half_log_odds_team = single(from.half_log_odds_team);
+  to.frame = from.frame;
   to.age_ms = encoding.age_ms(from.age);
   to.trust_percent = encoding.percent(from.trust);
   to.quarantine = static_cast<std::uint8_t>(from.quarantine);
@@ -113,6 +116,8 @@ WorldTeammate read_teammate(const teamsight_v1_WorldTeammate& from) {
   to.v_FR = {static_cast<double>(from.vx_mps), static_cast<double>(from.vy_mps)};
   to.cov = symmetric<3>(from.posture.cov);
   to.half_log_odds = static_cast<double>(from.half_log_odds);
+  to.half_log_odds_team = static_cast<double>(from.half_log_odds_team);
+  to.frame = from.frame;
   to.age = milliseconds(from.age_ms);
   to.trust = share(from.trust_percent);
   to.quarantine = static_cast<Quarantine>(from.quarantine);

@@ -131,11 +131,8 @@ CandidateList without_teammates(const CandidateList& candidates,
 void advance(State& state, const Observation& observation, const Setting& setting) {
   const Parameters& parameters = setting.parameters;
   Teammate& observer = find_or_add(state, observation.id.robot);
-  take_frame(observer,
-             observation.id.boot,
-             observation.posture,
-             observation.exposure,
-             parameters.teammate);
+  take_frame(
+      observer, observation.id, observation.posture, observation.exposure, parameters.teammate);
   if (std::any_of(observation.balls.begin(), observation.balls.end(), [&](const BallRay& ray) {
         return ray.confidence >= parameters.ball.min_confidence;
       })) {

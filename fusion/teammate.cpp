@@ -95,21 +95,22 @@ CarriedPosture carried_to(const PostureTrack& track,
 }
 
 void take_frame(Teammate& teammate,
-                std::uint32_t boot,
+                const ObservationId& id,
                 const PostureEstimate& posture,
                 HostTime exposure,
                 const TeammateParameters& parameters) {
-  if (teammate.boot != boot) {
+  if (teammate.boot != id.boot) {
     // One that spoke before and speaks again: two are alive. A new one: a restart.
-    const bool is_back = teammate.other_boot == boot &&
+    const bool is_back = teammate.other_boot == id.boot &&
                          exposure - teammate.other_seen <= parameters.duplicate_memory;
     if (is_back) teammate.duplicate_seen = exposure;
     teammate.other_boot = teammate.boot;
     teammate.other_seen = teammate.seen;
-    teammate.boot = boot;
+    teammate.boot = id.boot;
     teammate.posture = PostureTrack{};
   }
   teammate.seen = std::max(teammate.seen, exposure);
+  teammate.frame = id.sequence;
   teammate.status = posture.status;
   teammate.half_log_odds = posture.half_log_odds;
   if (posture.status != PostureStatus::kLost) {

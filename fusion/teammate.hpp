@@ -52,6 +52,7 @@ struct Teammate {
   HostTime other_seen{kNever};      ///< when that one spoke last
   HostTime duplicate_seen{kNever};  ///< when two were last heard in turn
   HostTime seen{kNever};            ///< exposure of its last frame
+  std::uint32_t frame{0};           ///< sequence of that frame
   HostTime ball_seen{kNever};
   PostureStatus status{PostureStatus::kLost};  ///< of its last frame
   double half_log_odds{0.0};                   ///< of its last frame
@@ -61,9 +62,9 @@ struct Teammate {
   std::uint32_t rejected_posture{0};  ///< frames unused for want of a posture
 };
 
-/// Notes that a frame of this robot came, from the process `boot`, with this posture.
+/// Notes that this frame of this robot came, with this posture.
 void take_frame(Teammate& teammate,
-                std::uint32_t boot,
+                const ObservationId& id,
                 const PostureEstimate& posture,
                 HostTime exposure,
                 const TeammateParameters& parameters);

@@ -56,6 +56,7 @@ WorldTeammate world_teammate(const Teammate& known, HostTime now, const Paramete
   teammate.robot = known.robot;
   teammate.status = known.status;
   teammate.half_log_odds = known.half_log_odds;
+  teammate.frame = known.frame;
   teammate.age = age_of(known.seen, now);
   teammate.quarantine = quarantine_of(known, now, parameters.teammate);
   teammate.trust = teammate.quarantine == Quarantine::kNone ? 1.0 : 0.0;

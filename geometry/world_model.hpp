@@ -50,8 +50,13 @@ struct WorldTeammate {
   Velocity<Field> v_FR;                              ///< m/s
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< of (x, y, theta); m, m, rad
   double half_log_odds{0.0};                         ///< the robot's own, see PostureEstimate
-  Duration age{0};                                   ///< since its last frame's exposure
-  double trust{0.0};                                 ///< in [0, 1]
+  /// Log-odds that X_FR is right rather than its mirror image, from comparing what this robot sees
+  /// with what the others do; 0 = undecided. The robot's own log-odds are not in it. For the
+  /// posture that frame `frame` carried.
+  double half_log_odds_team{0.0};
+  std::uint32_t frame{0};  ///< sequence of its newest frame in here
+  Duration age{0};         ///< since its last frame's exposure
+  double trust{0.0};       ///< in [0, 1]
   Quarantine quarantine{Quarantine::kNone};
   bool sees_ball{false};
 

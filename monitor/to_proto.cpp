@@ -51,6 +51,8 @@ void fill(const WorldTeammate& from, v1::WorldTeammate& to) {
   to.set_vx_mps(from.v_FR.x);
   to.set_vy_mps(from.v_FR.y);
   to.set_half_log_odds(from.half_log_odds);
+  to.set_half_log_odds_team(from.half_log_odds_team);
+  to.set_frame(from.frame);
   to.set_age_ms(to_ms(from.age));
   to.set_trust(from.trust);
   to.set_quarantine(static_cast<std::uint32_t>(from.quarantine));

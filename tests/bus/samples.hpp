@@ -114,6 +114,8 @@ inline WorldModel full<WorldModel>() {
   mate.v_FR = {0.5, -0.25};
   mate.cov = some_cov3();
   mate.half_log_odds = -2.5;
+  mate.half_log_odds_team = 7.25;
+  mate.frame = 4711;
   mate.age = std::chrono::milliseconds(40);
   mate.trust = 0.5;
   mate.quarantine = Quarantine::kKidnapped;

@@ -182,6 +182,8 @@ TEST(WorldModelWire, RefusesABadElementAnywhere) {
             Reject::kOutOfRange);
   EXPECT_EQ(after<WorldModel>([](auto& w) { w.teammates._buffer[5].robot_id = 0; }),
             Reject::kBadIdentity);
+  EXPECT_EQ(after<WorldModel>([](auto& w) { w.teammates._buffer[5].half_log_odds_team = kNan; }),
+            Reject::kNotFinite);
   EXPECT_EQ(after<WorldModel>([](auto& w) { w.teammates._buffer[5].quarantine = 7; }),
             Reject::kBadEnum);
   EXPECT_EQ(after<WorldModel>([](auto& w) { w.obstacles._buffer[11].vy_mps = 1e6F; }),
