@@ -125,9 +125,10 @@ Participant::Impl::~Impl() {
 
 Participant Participant::join(const DomainSettings& settings,
                               const std::function<bool()>& keep_trying) {
-  const std::string configuration = load_profile(settings.profile_path, settings.tag);
+  const Profile profile = load_profile(settings.profile_path, settings.tag);
   auto impl = std::make_shared<Impl>();
-  while (const MaybeFailure failed = try_join(settings, configuration, *impl)) {
+  impl->lease = profile.lease;
+  while (const MaybeFailure failed = try_join(settings, profile.text, *impl)) {
     if (!failed->may_pass || !wait_while(keep_trying)) {
       throw BusError("DDS profile " + settings.profile_path + ": " + failed->reason);
     }
@@ -143,6 +144,10 @@ Participant::~Participant() = default;
 
 std::int32_t Participant::handle() const noexcept {
   return impl_->entity.handle();
+}
+
+Duration Participant::lease() const noexcept {
+  return impl_->lease;
 }
 
 std::shared_ptr<const void> Participant::keep_alive() const noexcept {

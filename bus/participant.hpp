@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/time.hpp"
+
 namespace teamsight::bus {
 
 /// The process cannot join: one line that names the file, what was found and what was expected.
@@ -50,6 +52,9 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
   ~Participant();
+
+  /// Silence of a leased topic's writer for so long counts as gone on this network.
+  [[nodiscard]] Duration lease() const noexcept;
 
   /// Cyclone's handle, for bus/ only.
   [[nodiscard]] std::int32_t handle() const noexcept;

@@ -18,6 +18,7 @@ struct Participant::Impl {
 
   std::shared_ptr<Domain> domain;
   Entity entity;
+  Duration lease{0};
 };
 
 }  // namespace teamsight::bus

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <system_error>
 
 #include "bus/participant.hpp"
+#include "bus/topics.hpp"
 
 namespace teamsight::bus {
 namespace {
@@ -82,6 +84,30 @@ void check_domains(const std::string& path, const std::string& text) {
   if (!found) fail(path, "has no <Domain> section");
 }
 
+// Our own word in the file, as XML has it for other programs' words; blanked, because the library
+// takes none but its own.
+Duration take_lease(const std::string& path, std::string& text) {
+  constexpr std::string_view kStart = "<?teamsight";
+  constexpr std::string_view kLease = " lease_ms=\"";
+  constexpr long kShortest = 100;  // three frames at 30 Hz
+  constexpr long kLongest = 5000;
+  const std::size_t start = text.find(kStart);
+  if (start == std::string::npos) return kDefaultLease;
+  const std::size_t end = text.find("?>", start);
+  if (end == std::string::npos) fail(path, "<?teamsight has no end \"?>\"");
+  const std::string inside = text.substr(start + kStart.size(), end - start - kStart.size());
+  char* rest = nullptr;
+  const bool named = inside.starts_with(kLease);
+  const long lease = named ? std::strtol(inside.c_str() + kLease.size(), &rest, 10) : 0;
+  if (!named || trimmed(rest) != "\"" || lease < kShortest || lease > kLongest) {
+    fail(path,
+         "<?teamsight" + inside + "?>, expected <?teamsight lease_ms=\"N\"?> with N from " +
+             std::to_string(kShortest) + " to " + std::to_string(kLongest));
+  }
+  text.replace(start, end + 2 - start, end + 2 - start, ' ');
+  return std::chrono::milliseconds(lease);
+}
+
 void check_tag(const std::string& path, std::string_view tag) {
   const auto allowed = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
@@ -94,10 +120,13 @@ void check_tag(const std::string& path, std::string_view tag) {
 
 }  // namespace
 
-std::string load_profile(const std::string& path, std::string_view tag) {
+Profile load_profile(const std::string& path, std::string_view tag) {
   check_tag(path, tag);
-  std::string text = read_file(path);
+  Profile profile;
+  std::string& text = profile.text;
+  text = read_file(path);
   blank_comments(path, text);
+  profile.lease = take_lease(path, text);
   check_root(path, text);
   check_domains(path, text);
   if (!tag.empty()) {
@@ -105,7 +134,7 @@ std::string load_profile(const std::string& path, std::string_view tag) {
     text += tag;
     text += "</Tag></Discovery></Domain></CycloneDDS>";
   }
-  return text;
+  return profile;
 }
 
 }  // namespace teamsight::bus

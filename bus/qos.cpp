@@ -7,7 +7,7 @@ namespace {
 // More than there are robots or processes: a babbler with ever new keys cannot fill the memory.
 constexpr std::int32_t kMaxInstances = 256;
 
-QosPointer common_qos(const TopicProfile& profile) {
+QosPointer common_qos(const TopicProfile& profile, Duration lease) {
   QosPointer qos(dds_create_qos());
   const bool event = profile.delivery == Delivery::kEvent;
   dds_qset_reliability(qos.get(),
@@ -20,8 +20,8 @@ QosPointer common_qos(const TopicProfile& profile) {
   dds_qset_ownership(qos.get(), profile.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
   // By topic and by hand: writing is the sign of life. The automatic kind is given by the library's
   // own threads, so a process that hangs would own its topic for ever.
-  if (profile.lease > Duration{0}) {
-    dds_qset_liveliness(qos.get(), DDS_LIVELINESS_MANUAL_BY_TOPIC, profile.lease.count());
+  if (profile.leased) {
+    dds_qset_liveliness(qos.get(), DDS_LIVELINESS_MANUAL_BY_TOPIC, lease.count());
   } else {
     dds_qset_liveliness(qos.get(), DDS_LIVELINESS_AUTOMATIC, DDS_INFINITY);
   }
@@ -31,14 +31,16 @@ QosPointer common_qos(const TopicProfile& profile) {
 
 }  // namespace
 
-QosPointer reader_qos(const TopicProfile& profile) {
-  QosPointer qos = common_qos(profile);
+QosPointer reader_qos(const TopicProfile& profile, Duration lease) {
+  QosPointer qos = common_qos(profile, lease);
   dds_qset_resource_limits(qos.get(), DDS_LENGTH_UNLIMITED, kMaxInstances, DDS_LENGTH_UNLIMITED);
   return qos;
 }
 
-QosPointer writer_qos(const TopicProfile& profile, std::int32_t ownership_strength) {
-  QosPointer qos = common_qos(profile);
+QosPointer writer_qos(const TopicProfile& profile,
+                      std::int32_t ownership_strength,
+                      Duration lease) {
+  QosPointer qos = common_qos(profile, lease);
   // Who leaves is silent, not disposed: its last value stays what it was.
   dds_qset_writer_data_lifecycle(qos.get(), false);
   if (profile.exclusive) dds_qset_ownership_strength(qos.get(), ownership_strength);

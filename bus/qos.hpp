@@ -8,9 +8,11 @@
 
 namespace teamsight::bus {
 
-[[nodiscard]] QosPointer reader_qos(const TopicProfile& profile);
+[[nodiscard]] QosPointer reader_qos(const TopicProfile& profile, Duration lease = kDefaultLease);
 
 /// @param ownership_strength  used if the profile is exclusive
-[[nodiscard]] QosPointer writer_qos(const TopicProfile& profile, std::int32_t ownership_strength);
+[[nodiscard]] QosPointer writer_qos(const TopicProfile& profile,
+                                    std::int32_t ownership_strength,
+                                    Duration lease = kDefaultLease);
 
 }  // namespace teamsight::bus

@@ -4,9 +4,8 @@
 namespace teamsight::bus {
 namespace {
 
-// Five frames at 25 Hz: fewer flap under load. On Wi-Fi with heavy loss 500 ms would be needed.
-constexpr Duration kLease = std::chrono::milliseconds(200);
-constexpr Duration kNoLease{0};
+constexpr bool kLease = true;
+constexpr bool kNoLease = false;
 constexpr Duration kForever{0};
 // A robot that starts again must not carry out what it was told before; a sender repeats a command
 // until it is acknowledged.

@@ -22,10 +22,14 @@ struct TopicProfile {
   std::string_view topic;  ///< on the wire, with the version of its type
   Delivery delivery{Delivery::kState};
   std::int32_t keep_last{1};  ///< samples per instance, in the reader and for who joins late
-  Duration lease{0};          ///< silent for so long counts as gone; 0 = only when the host is gone
-  Duration lifespan{0};       ///< older samples are not handed out any more; 0 = never too old
-  bool exclusive{false};      ///< only the strongest live writer is heard
+  bool leased{false};  ///< silence for the network's lease counts as gone; else only with the host
+  Duration lifespan{0};   ///< older samples are not handed out any more; 0 = never too old
+  bool exclusive{false};  ///< only the strongest live writer is heard
 };
+
+/// How long the writer of a leased topic may be silent, unless the network's profile says
+/// otherwise: five frames at 25 Hz; fewer flap under load.
+inline constexpr Duration kDefaultLease = std::chrono::milliseconds(200);
 
 /// How long one write of an event may wait for a slow reader.
 inline constexpr Duration kMaxBlocking = std::chrono::milliseconds(50);

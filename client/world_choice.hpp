@@ -33,7 +33,8 @@ class RelativeAge {
 
 /// When a model is too old to be handed out.
 struct FreshnessParameters {
-  /// The leader's: the topic's lease and a period.
+  /// The leader's: whatever the network's lease is, a behaviour can do nothing with an older one,
+  /// and its own host's is there.
   Duration leader{std::chrono::milliseconds(250)};
   Duration own_host{std::chrono::seconds(1)};
 };

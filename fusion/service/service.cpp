@@ -65,7 +65,7 @@ Service::Service(const bus::Participant& team,
                  Fusion fusion)
     : identity_(identity),
       fusion_(std::move(fusion)),
-      leadership_({identity.strength, identity.robot}, {}),
+      leadership_({identity.strength, identity.robot}, {.lease = team.lease()}),
       clocks_(identity.robot, identity.boot),
       meter_("fusion/" + std::to_string(identity.robot), identity.robot, identity.boot),
       sightings_(team),

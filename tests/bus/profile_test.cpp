@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bus/participant.hpp"
+#include "bus/topics.hpp"
 #include "tests/bus/files.hpp"
 
 namespace teamsight::bus {
@@ -59,7 +60,7 @@ TEST(Profile, RefusesACommentWithoutEnd) {
 TEST(Profile, KeepsTheLineNumbersWhenItBlanksComments) {
   const TemporaryFile file(std::string("<!-- one\ntwo -->\n") + kGood);
 
-  const std::string text = load_profile(file.path(), "");
+  const std::string text = load_profile(file.path(), "").text;
 
   EXPECT_EQ(text.find("<CycloneDDS>"), text.find_last_of('\n') + 1);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
@@ -69,6 +70,23 @@ TEST(Profile, RefusesATagThatIsNotAName) {
   EXPECT_EQ(refusal(kGood, "robot-1_a.b"), "");
   EXPECT_THAT(refusal(kGood, "a</Tag>"), HasSubstr("tag 'a</Tag>'"));
   EXPECT_THAT(refusal(kGood, std::string(65, 'x')), HasSubstr("at most 64"));
+}
+
+TEST(Profile, TakesTheLeaseOfItsNetwork) {
+  const TemporaryFile slow(std::string("<?teamsight lease_ms=\"500\"?>\n") + kGood);
+  const TemporaryFile plain(kGood);
+
+  EXPECT_EQ(load_profile(slow.path(), "").lease, std::chrono::milliseconds(500));
+  EXPECT_EQ(load_profile(plain.path(), "").lease, kDefaultLease);
+  EXPECT_EQ(load_profile(slow.path(), "").text.find("teamsight"), std::string::npos);
+}
+
+TEST(Profile, RefusesALeaseThatIsNoneOrNoGood) {
+  for (const char* lease :
+       {"lease_ms=\"99\"", "lease_ms=\"6000\"", "lease_ms=\"fast\"", "lease=\"200\"", ""}) {
+    EXPECT_THAT(refusal(std::string("<?teamsight ") + lease + "?>" + kGood),
+                HasSubstr("expected <?teamsight lease_ms=\"N\"?>"));
+  }
 }
 
 TEST(Profile, NamesTheFileThatIsNotThere) {

@@ -118,12 +118,12 @@ void expect_row(const dds_builtintopic_endpoint_t& endpoint, const TopicProfile&
   dds_qget_destination_order(endpoint.qos, &order);
 
   const bool event = row.delivery == Delivery::kEvent;
-  const bool leased = row.lease > Duration{0};
+  const bool leased = row.leased;
   EXPECT_EQ(endpoint.topic_name, row.topic);
   EXPECT_EQ(reliability, event ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT);
   EXPECT_EQ(durability, event ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   EXPECT_EQ(liveliness, leased ? DDS_LIVELINESS_MANUAL_BY_TOPIC : DDS_LIVELINESS_AUTOMATIC);
-  EXPECT_EQ(lease, leased ? row.lease.count() : DDS_INFINITY);
+  EXPECT_EQ(lease, leased ? kDefaultLease.count() : DDS_INFINITY);
   EXPECT_EQ(ownership, row.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
   EXPECT_EQ(order, DDS_DESTINATIONORDER_BY_RECEPTION_TIMESTAMP);
 }

@@ -34,14 +34,13 @@ const std::vector<Layer> kLayers = {
     {"fusion/service/", {"geometry/", "settings/", "bus/", "process/", "fusion/"}},
     {"client/",         {"geometry/", "settings/", "bus/", "process/"}},
     {"monitor/",        {"geometry/", "settings/", "bus/", "process/"}},
-    {"sim/match/",      {"geometry/"}},
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
-                         "sim/match/", "agent/frame_stream.hpp"}},  // the format of the pipe between the two
-    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/",
+                         "agent/frame_stream.hpp"}},  // the format of the pipe between the two
+    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
                          "monitor/to_proto.hpp"}},  // `echo` prints a topic as the page gets it
     {"examples/",       {"geometry/", "client/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
-                         "client/", "sim/match/"}},
+                         "client/"}},
     {"tests/",          {""}},  // everything
 };
 

@@ -37,7 +37,7 @@ bool load(const fs::path& path) {
   const std::string folder = path.parent_path().filename();
   const std::string extension = path.extension();
   if (path.filename() == "README.md") return true;
-  if (folder == "dds" && extension == ".xml") return !bus::load_profile(path, "").empty();
+  if (folder == "dds" && extension == ".xml") return !bus::load_profile(path, "").text.empty();
   if (folder == "cameras" && extension == ".csv") return !read_profile(path).empty();
   if (extension != ".textproto") return false;
   if (folder == "fields") return !load_field(path).name.empty();

@@ -1,0 +1,198 @@
+// tests/network/stage.cpp: see stage.hpp.
+#include "tests/network/stage.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bus/profile.hpp"
+
+namespace teamsight::network {
+namespace {
+
+constexpr const char* kCard = "wlan0";
+
+double ms_since(std::int64_t from_ns, std::int64_t to_ns) {
+  return 1e-6 * static_cast<double>(to_ns - from_ns);
+}
+
+void keep_worst(Knowledge& worst, const Knowledge& one) {
+  worst.served = std::min(worst.served, one.served);
+  worst.oldest_ms = std::max(worst.oldest_ms, one.oldest_ms);
+  worst.own_rate_hz = std::min(worst.own_rate_hz, one.own_rate_hz);
+  worst.air_gap_ms = std::max(worst.air_gap_ms, one.air_gap_ms);
+  if (one.ball_rmse_m * worst.ball_bound_m >= worst.ball_rmse_m * one.ball_bound_m) {
+    worst.ball_rmse_m = one.ball_rmse_m;  // the worst ratio of the two
+    worst.ball_bound_m = one.ball_bound_m;
+  }
+  worst.leaders.insert(one.leaders.begin(), one.leaders.end());
+  worst.robots = static_cast<std::uint8_t>(worst.robots & one.robots);
+}
+
+std::string leaders_of(const Knowledge& one) {
+  std::string all;
+  for (const int leader : one.leaders) all += (all.empty() ? "" : ",") + std::to_string(leader);
+  return all.empty() ? "-" : all;
+}
+
+}  // namespace
+
+std::string number(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+std::uint8_t everybody(RobotId robots) {
+  return static_cast<std::uint8_t>((1U << robots) - 1U);
+}
+
+TeamOptions team_of(const ScenarioOptions& options) {
+  TeamOptions team;
+  team.profile = options.profile;
+  team.more_team_lines = options.more_team_lines;
+  return team;
+}
+
+milliseconds lease_of(const ScenarioOptions& options) {
+  const auto path = test::source_path("config/dds/" + options.profile + ".xml").string();
+  return std::chrono::duration_cast<milliseconds>(bus::load_profile(path, "").lease);
+}
+
+Stage::Stage(const std::string& scenario,
+             const ScenarioOptions& options,
+             const TeamOptions& team_options,
+             std::size_t more_hosts)
+    : hosts(team_options.robots + (team_options.has_coach ? 1U : 0U) + more_hosts,
+            kCard,
+            options.seed),
+      team(hosts, team_options),
+      length_(options.length) {
+  outcome.scenario = scenario;
+}
+
+milliseconds Stage::observed(milliseconds base) const {
+  return std::chrono::duration_cast<milliseconds>(base * length_);
+}
+
+void Stage::start() {
+  const std::int64_t begin = now_ns();
+  team.start_all();
+  const std::uint8_t all = everybody(team.robots());
+  const double took = await(Channel::kChoice, begin, seconds(10), [all](const Sight& sight) {
+    return is_fresh(sight) && sight.robots == all;
+  });
+  outcome.say("all robots in all models " + number(took, 0) + " ms after the first was started");
+  outcome.expect(took >= 0, "all robots come into all models: " + team.complaints());
+  const RobotId strongest = team.robots();
+  const double led = await(Channel::kLeader, begin, seconds(10), [strongest](const Sight& sight) {
+    return sight.maker == strongest;
+  });
+  outcome.expect(led >= 0, "the strongest leads: " + team.complaints());
+  double sent = 0.0;
+  for (std::size_t host = 0; host < hosts.count(); ++host) {
+    sent += static_cast<double>(hosts.network().counters(host).bytes);
+  }
+  outcome.say("until then on the wire, mostly discovery: " + number(1e-3 * sent, 0) + " kB in " +
+              number(ms_since(begin, now_ns()), 0) + " ms");
+}
+
+Interval Stage::run_for(milliseconds duration) const {
+  const std::int64_t from = now_ns();
+  pause(duration);
+  return {from, now_ns()};
+}
+
+Knowledge Stage::report(const std::string& title, const Interval& interval) {
+  outcome.say(title);
+  outcome.say(
+      "  robot  served  oldest ms  own Hz  air share  air gap ms  ball m  bound m  leaders  "
+      "robots");
+  std::optional<Knowledge> worst;
+  double air_share = 0.0;
+  int readers = 0;
+  for (RobotId robot = 1; robot <= team.robots(); ++robot) {
+    const Knowledge one = knowledge_of(team.sights(robot), interval);
+    std::array<char, 160> line{};
+    std::snprintf(line.data(),
+                  line.size(),
+                  "  %5d  %6.3f  %9.0f  %6.1f  %9.3f  %10.0f  %6.3f  %7.3f  %7s  %6x",
+                  static_cast<int>(robot),
+                  one.served,
+                  one.oldest_ms,
+                  one.own_rate_hz,
+                  one.air_share,
+                  one.air_gap_ms,
+                  one.ball_rmse_m,
+                  one.ball_bound_m,
+                  leaders_of(one).c_str(),
+                  static_cast<unsigned>(one.robots));
+    outcome.say(line.data());
+    if (!one.leaders.contains(robot)) {
+      air_share += one.air_share;
+      ++readers;
+    }
+    if (worst) {
+      keep_worst(*worst, one);
+    } else {
+      worst = one;
+    }
+  }
+  if (worst && readers > 0) worst->air_share = air_share / readers;
+  return worst.value_or(Knowledge{});
+}
+
+double Stage::report_wire(milliseconds duration) {
+  std::vector<PortCounters> before;
+  for (std::size_t host = 0; host < hosts.count(); ++host) {
+    before.push_back(hosts.network().counters(host));
+  }
+  wire_before_ = hosts.network().bytes_by_writer();
+  const Interval interval = run_for(duration);
+  wire_after_ = hosts.network().bytes_by_writer();
+  wire_seconds_ = 1e-3 * ms_since(interval.from_ns, interval.to_ns);
+  double sum = 0.0;
+  std::string line = "on the wire, kB/s per host:";
+  for (std::size_t host = 0; host < hosts.count(); ++host) {
+    const PortCounters now = hosts.network().counters(host);
+    const double rate = static_cast<double>(now.bytes - before[host].bytes) / wire_seconds_;
+    sum += rate;
+    line += " " + number(1e-3 * rate);
+  }
+  const double mbit = 8e-6 * sum;
+  outcome.say(line + "; together " + number(mbit, 2) + " Mbit/s");
+  return mbit;
+}
+
+void Stage::report_topics() {
+  const auto topics = team.writers(1);
+  std::map<std::string, double> sums;
+  for (const auto& [writer, bytes] : wire_after_) {
+    const auto topic = topics.find(writer);
+    const auto before = wire_before_.find(writer);
+    const std::uint64_t old = before == wire_before_.end() ? 0 : before->second;
+    sums[topic == topics.end() ? "discovery, acknowledgements, other" : topic->second] +=
+        static_cast<double>(bytes - old) / wire_seconds_;
+  }
+  outcome.say("of that by topic, kB/s of the whole team:");
+  for (const auto& [topic, rate] : sums) outcome.say("  " + topic + ": " + number(1e-3 * rate, 2));
+}
+
+double Stage::await(Channel channel, std::int64_t from_ns, milliseconds bound, const Claim& claim) {
+  constexpr std::int64_t kHold = 500'000'000;
+  double last = -1.0;
+  const bool all = test::wait_until(
+      [&] {
+        pause(milliseconds(50));
+        last = -1.0;
+        for (RobotId robot = 1; robot <= team.robots(); ++robot) {
+          const auto since = settled(team.sights(robot), channel, from_ns, claim);
+          if (!since || now_ns() - *since < kHold) return false;
+          last = std::max(last, ms_since(from_ns, *since));
+        }
+        return true;
+      },
+      bound);
+  return all ? last : -1.0;
+}
+
+}  // namespace teamsight::network
