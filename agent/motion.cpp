@@ -56,7 +56,7 @@ void Motion::roll(const bus::Odometry& odometry) {
   newest_ = odometry;
 }
 
-std::optional<Pose<bus::Drive, Robot>> Motion::drive_at(HostTime when) const {
+std::optional<Pose<Drive, Robot>> Motion::drive_at(HostTime when) const {
   const std::size_t oldest = drive_count_ > drive_.size() ? drive_count_ - drive_.size() : 0;
   for (std::size_t i = drive_count_; i > oldest; --i) {
     const DriveStep& step = drive_[(i - 1) % drive_.size()];

@@ -27,7 +27,7 @@ struct MotionParameters {
 /// The wheels' count at one moment.
 struct DriveStep {
   HostTime stamp{};
-  Pose<bus::Drive, Robot> X_DR;
+  Pose<Drive, Robot> X_DR;
 };
 
 /// Carries the last posture on to the next exposure, with odometry if there is some.
@@ -64,7 +64,7 @@ class Motion {
     double half_log_odds{0.0};
   };
 
-  [[nodiscard]] std::optional<Pose<bus::Drive, Robot>> drive_at(HostTime when) const;
+  [[nodiscard]] std::optional<Pose<Drive, Robot>> drive_at(HostTime when) const;
   [[nodiscard]] bool has_fresh_odometry(HostTime when) const;
 
   MotionParameters parameters_;

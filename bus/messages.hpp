@@ -72,9 +72,6 @@ struct VirtualSensors {
   friend bool operator==(const VirtualSensors&, const VirtualSensors&) = default;
 };
 
-/// The frame the wheels count in: where R stood when the drive started; it drifts against F.
-struct Drive {};
-
 struct Odometry {
   ObservationId id;
   PeerTime stamp;

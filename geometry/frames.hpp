@@ -14,6 +14,9 @@ struct Robot {};
 /// Frame C: in the pinhole, z along the optical axis towards the mirror, x towards image right.
 struct Camera {};
 
+/// Frame D: where R stood when the wheels began to count; it drifts against F.
+struct Drive {};
+
 /// A place on the floor, expressed in `Frame`; metres.
 template <class Frame>
 struct Point {

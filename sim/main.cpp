@@ -83,8 +83,8 @@ Setup load(const Options& options) {
   setup.parameters.own = setup.match.robots;
   setup.parameters.opponents = setup.match.opponents;
   if (setup.match.team.has_value()) {
-    setup.parameters.ball_radius = setup.match.team->ball_radius;
-    setup.parameters.robot_radius = setup.match.team->robot_radius;
+    setup.parameters.ball.radius = setup.match.team->ball_radius;
+    setup.parameters.body.radius = setup.match.team->robot_radius;
   }
   setup.start = bus::host_now();
   return setup;
@@ -134,8 +134,8 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
   const RobotId robot = setup.parameters.own.at(player);
   FramePipe pipe(std::filesystem::path(options.frames) /
                  ("robot" + std::to_string(robot) + ".stream"));
-  const RenderParameters look{setup.parameters.ball_radius,
-                              setup.parameters.robot_radius,
+  const RenderParameters look{setup.parameters.ball.radius,
+                              setup.parameters.body.radius,
                               RenderParameters{}.robot_height,
                               setup.match.pixel_noise_sigma};
   // Exposures are spread over the frame period, so that the drawing is too.
@@ -161,9 +161,12 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
 }
 
 bus::Truth truth_of(const MatchState& state, const ObservationId& id, HostTime stamp) {
-  bus::Truth truth{id, stamp_of(stamp), state.p_FB, state.v_FB, {}};
+  const Ball& ball = state.balls.front();
+  bus::Truth truth{id, stamp_of(stamp), ball.p_FB, ball.v_FB, {}};
   for (const Player& player : state.players) {
-    truth.robots.push_back({player.number, player.X_FR, player.v_FR});
+    if (player.on_field) {
+      truth.robots.push_back({player.number, player.X_FR, player.v_FR});
+    }
   }
   return truth;
 }

@@ -53,10 +53,10 @@ void RobotCamera::tick(HostTime now) {
 void RobotCamera::look() {
   const MatchState& state = match_.state();
   scene_.X_FR = state.players[player_].X_FR;
-  scene_.p_FB = state.p_FB;
+  scene_.p_FB = state.balls.front().p_FB;
   scene_.others.clear();
   for (std::size_t i = 0; i < state.players.size(); ++i) {
-    if (i != player_) {
+    if (i != player_ && state.players[i].on_field) {
       scene_.others.push_back(state.players[i].X_FR.origin());
     }
   }

@@ -6,14 +6,17 @@
 #include <random>
 #include <vector>
 
-#include "bus/messages.hpp"
 #include "geometry/time.hpp"
 #include "sim/frame_pipe.hpp"
-#include "sim/match.hpp"
+#include "sim/match/match.hpp"
+#include "sim/match/wheels.hpp"
 #include "sim/renderer.hpp"
-#include "sim/wheels.hpp"
 
 namespace teamsight::sim {
+
+/// How long everybody stands before kick-off: agents that start with the match find themselves in
+/// the half that their robot file says.
+inline constexpr double kBeforeKickOff = 6.0;  // s
 
 /// When the match began and how often this robot's camera exposes.
 struct CameraClock {
@@ -38,7 +41,7 @@ class RobotCamera {
   /// What the wheels have counted.
   struct Count {
     HostTime stamp{};
-    Pose<bus::Drive, Robot> X_DR;
+    Pose<Drive, Robot> X_DR;
     Velocity<Robot> v_R;  ///< m/s
     double omega{0.0};    ///< rad/s
   };

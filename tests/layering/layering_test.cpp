@@ -34,13 +34,14 @@ const std::vector<Layer> kLayers = {
     {"fusion/service/", {"geometry/", "settings/", "bus/", "process/", "fusion/"}},
     {"client/",         {"geometry/", "settings/", "bus/", "process/"}},
     {"monitor/",        {"geometry/", "settings/", "bus/", "process/"}},
+    {"sim/match/",      {"geometry/"}},
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
-                         "agent/frame_stream.hpp"}},  // the format of the pipe between the two
-    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
+                         "sim/match/", "agent/frame_stream.hpp"}},  // the format of the pipe between the two
+    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/",
                          "monitor/to_proto.hpp"}},  // `echo` prints a topic as the page gets it
     {"examples/",       {"geometry/", "client/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
-                         "client/"}},
+                         "client/", "sim/match/"}},
     {"tests/",          {""}},  // everything
 };
 

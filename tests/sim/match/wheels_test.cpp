@@ -1,20 +1,25 @@
-// tests/sim/wheels_test.cpp: the wheels count the way, nearly.
-#include "sim/wheels.hpp"
+// tests/sim/match/wheels_test.cpp: the wheels count the way, nearly.
+#include "sim/match/wheels.hpp"
 
-#include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 namespace teamsight::sim {
 namespace {
 
+// Faces +y and drives along +y: forward in R.
 Player driving_left_in_F() {
-  // Faces +y and drives along +y: forward in R.
-  return {1, Pose<Field, Robot>(0.0, 0.0, M_PI / 2.0), {0.0, 1.0}, 0.0};
+  Player player;
+  player.number = 1;
+  player.X_FR = {0.0, 0.0, std::numbers::pi / 2.0};
+  player.v_FR = {0.0, 1.0};
+  player.wheels_F = player.v_FR;
+  return player;
 }
 
 TEST(Wheels, CountForwardWhatIsForwardInR) {
-  Wheels wheels({0.0, 0.0, 0.0}, 1);
+  Wheels wheels({0.0, 0.0, 0.0, 0.0}, 1);
   for (int i = 0; i < 100; ++i) {
     wheels.roll(driving_left_in_F(), 0.01);
   }
@@ -37,6 +42,16 @@ TEST(Wheels, DriftApartWithDifferentSeedsOnly) {
   EXPECT_EQ(a.pose(), same.pose());
   EXPECT_FALSE(a.pose() == other.pose());
   EXPECT_NEAR(a.pose().x(), 10.0, 1.0);
+}
+
+TEST(Wheels, CountWhatTheyTurnWhileTheBodyStands) {
+  Player spinning = driving_left_in_F();
+  spinning.v_FR = {0.0, 0.0};
+  Wheels wheels({0.0, 0.0, 0.0, 0.0}, 1);
+
+  wheels.roll(spinning, 0.1);
+
+  EXPECT_NEAR(wheels.pose().x(), 0.1, 1e-9);
 }
 
 }  // namespace
