@@ -16,7 +16,7 @@
 #include "bus/writer.hpp"
 #include "monitor.pb.h"
 #include "monitor/station.hpp"
-#include "monitor/to_proto.hpp"
+#include "monitor/update_to_proto.hpp"
 #include "monitor/web_files.hpp"
 #include "monitor/web_server.hpp"
 #include "process/domains.hpp"

@@ -10,7 +10,7 @@
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
 #include "bus/reader.hpp"
-#include "monitor/to_proto.hpp"
+#include "recording/to_proto.hpp"
 #include "recording.pb.h"
 
 namespace teamsight::tools {
@@ -31,7 +31,7 @@ const char* name_of(bus::Presence presence) {
 template <class Proto, class Message>
 std::string json_of(const Message& message) {
   Proto proto;
-  monitor::to_proto(message, proto);
+  recording::to_proto(message, proto);
   google::protobuf::util::JsonPrintOptions options;
   options.always_print_primitive_fields = true;
   options.preserve_proto_field_names = true;

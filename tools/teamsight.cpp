@@ -7,6 +7,7 @@
 #include "tools/detect_command.hpp"
 #include "tools/echo_command.hpp"
 #include "tools/locate_command.hpp"
+#include "tools/log_command.hpp"
 #include "tools/mirror_command.hpp"
 
 namespace {
@@ -18,6 +19,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   teamsight::tools::add_detect_command(app, exit_code);
   teamsight::tools::add_echo_command(app, exit_code);
   teamsight::tools::add_locate_command(app, exit_code);
+  teamsight::tools::add_log_command(app, exit_code);
   teamsight::tools::add_mirror_command(app, exit_code);
 }
 

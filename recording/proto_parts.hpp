@@ -1,4 +1,4 @@
-// monitor/proto_parts.hpp: the small parts that several messages of to_proto share.
+// recording/proto_parts.hpp: the small parts that several messages of to_proto share.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,11 +9,11 @@
 #include "geometry/sighting.hpp"
 #include "recording.pb.h"
 
-namespace teamsight::monitor::parts {
+namespace teamsight::recording::parts {
 
 /// Milliseconds as a double, the unit of every duration on the page.
 [[nodiscard]] inline double to_ms(Duration duration) {
-  return 1e3 * to_seconds(duration);
+  return static_cast<double>(duration.count()) / 1e6;
 }
 
 [[nodiscard]] inline std::int64_t to_ns(PeerTime stamp) {
@@ -82,4 +82,4 @@ inline void set(const bus::ExplainedRobot& from, v1::ExplainedRobot& to) {
   to.set_clock_sigma_ms(to_ms(from.clock_sigma));
 }
 
-}  // namespace teamsight::monitor::parts
+}  // namespace teamsight::recording::parts

@@ -1,5 +1,5 @@
-// tests/monitor/to_proto_test.cpp: values reach the page under the right name and unit.
-#include "monitor/to_proto.hpp"
+// tests/monitor/update_to_proto_test.cpp: values reach the page under the right name and unit.
+#include "monitor/update_to_proto.hpp"
 
 #include <chrono>
 
@@ -7,10 +7,13 @@
 
 #include "geometry/field_model.hpp"
 #include "monitor.pb.h"
+#include "recording/to_proto.hpp"
 
 namespace teamsight::monitor {
 namespace {
 
+using monitor::to_proto;
+using recording::to_proto;
 using std::chrono::milliseconds;
 
 TEST(ToProto, KeepsARobotStatesIdentityStampsAndPosture) {

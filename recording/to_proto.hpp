@@ -1,10 +1,8 @@
-// monitor/to_proto.hpp: every topic's value as the protobuf message of recordings, page and echo.
+// recording/to_proto.hpp: every topic's value as the protobuf message of recordings, page and echo.
 #pragma once
 
 #include "bus/messages.hpp"
-#include "geometry/field_model.hpp"
 #include "geometry/world_model.hpp"
-#include "monitor/update.hpp"
 
 namespace teamsight::v1 {
 class ClockEcho;
@@ -14,8 +12,6 @@ class Diagnostics;
 class Explanation;
 class GameState;
 class LinePoints;
-class MonitorField;
-class MonitorUpdate;
 class Odometry;
 class RobotState;
 class Sightings;
@@ -25,7 +21,7 @@ class VirtualSensors;
 class WorldModel;
 }  // namespace teamsight::v1
 
-namespace teamsight::monitor {
+namespace teamsight::recording {
 
 /// Fill an empty protobuf message from a value. Units and frames are those of the .proto files;
 /// numbers are passed on as they are, nothing is repaired or left out.
@@ -44,13 +40,4 @@ void to_proto(const bus::LinePoints& from, v1::LinePoints& to);
 void to_proto(const bus::Thumbnail& from, v1::Thumbnail& to);
 void to_proto(const bus::Truth& from, v1::Truth& to);
 
-/// The field as the page draws it.
-void to_proto(const FieldModel& from, v1::MonitorField& to);
-
-/// Everything but the events, which travel on their own so that none is lost.
-void to_proto(const Update& from, v1::MonitorUpdate& to);
-
-/// The events alone.
-void events_to_proto(const Update& from, v1::MonitorUpdate& to);
-
-}  // namespace teamsight::monitor
+}  // namespace teamsight::recording

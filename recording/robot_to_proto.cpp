@@ -1,9 +1,8 @@
-// monitor/to_proto.cpp: the topics of monitor/to_proto.hpp that robots and fusions write.
-#include "monitor/to_proto.hpp"
+// recording/robot_to_proto.cpp: the topics of recording/to_proto.hpp that robots and fusions write.
+#include "recording/proto_parts.hpp"
+#include "recording/to_proto.hpp"
 
-#include "monitor/proto_parts.hpp"
-
-namespace teamsight::monitor {
+namespace teamsight::recording {
 
 using parts::set;
 using parts::to_ms;
@@ -175,4 +174,4 @@ void to_proto(const bus::Thumbnail& from, v1::Thumbnail& to) {
   to.mutable_jpeg()->assign(from.jpeg.begin(), from.jpeg.end());
 }
 
-}  // namespace teamsight::monitor
+}  // namespace teamsight::recording
