@@ -53,6 +53,8 @@ WorldTeammate teammate(const v1::WorldTeammate& from, Decoding& decoding) {
   to.v_FR = {from.vx_mps(), from.vy_mps()};
   to.cov = decoding.cov<3>(from.posture().cov());
   to.half_log_odds = from.half_log_odds();
+  to.half_log_odds_team = from.half_log_odds_team();
+  to.frame = from.frame();
   to.age = decoding.from_ms(from.age_ms());
   to.trust = from.trust();
   to.quarantine = decoding.code(from.quarantine(), Quarantine::kDuplicateId);
