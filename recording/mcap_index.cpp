@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -149,7 +149,7 @@ InputFile::InputFile(const std::filesystem::path& path)
   struct stat facts {};
 
   if (descriptor_ < 0 || ::fstat(descriptor_, &facts) != 0) {
-    throw RecordingError(path.string() + ": " + std::strerror(errno));
+    throw RecordingError(path.string() + ": " + std::generic_category().message(errno));
   }
   size_ = static_cast<std::uint64_t>(std::max<off_t>(facts.st_size, 0));
 }

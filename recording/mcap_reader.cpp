@@ -57,6 +57,24 @@ bool enqueue(const Bytes& chunk, const TimeSpan& span, std::uint64_t& order, Que
   return true;
 }
 
+/// Chunks whose messages still wait.
+class HeldChunks {
+ public:
+  /// @return whether all that is held stays within the bound
+  bool add(const Bytes& chunk) {
+    std::erase_if(chunks_, [](const auto& held) { return held.expired(); });
+    chunks_.push_back(chunk);
+    std::uint64_t bytes = 0;
+    for (const auto& held : chunks_) {
+      if (const auto alive = held.lock()) bytes += alive->size();
+    }
+    return bytes <= kMostHeldBytes;
+  }
+
+ private:
+  std::vector<std::weak_ptr<const std::string>> chunks_;
+};
+
 }  // namespace
 
 struct McapReader::Impl {
@@ -120,22 +138,16 @@ void McapReader::for_each(const TimeSpan& span,
                           const std::function<bool(const Message&)>& use) const {
   Queue queue;
   std::uint64_t order = 0;
-  std::vector<std::weak_ptr<const std::string>> held;
+  HeldChunks held;
   for (const ChunkPlace& place : impl_->index.chunks) {
     if (place.end_ns < span.from_ns || place.start_ns > span.until_ns) continue;
     // Equal stamps keep their order: what this chunk begins with may still be joined.
     const std::int64_t before = place.start_ns == kFirst ? kFirst : place.start_ns - 1;
     if (!impl_->drain(queue, before, use)) return;
-    std::uint64_t bytes = 0;
-    std::erase_if(held, [](const auto& chunk) { return chunk.expired(); });
-    for (const auto& chunk : held) {
-      if (const auto alive = chunk.lock()) bytes += alive->size();
-    }
-    if (bytes > kMostHeldBytes) {
+    const Bytes chunk = impl_->read_chunk(place);
+    if (!held.add(chunk)) {
       throw RecordingError(impl_->name + ": too many chunks lie over one another in time");
     }
-    const Bytes chunk = impl_->read_chunk(place);
-    held.push_back(chunk);
     if (!enqueue(chunk, span, order, queue)) impl_->fail(place);
   }
   static_cast<void>(impl_->drain(queue, std::numeric_limits<std::int64_t>::max(), use));

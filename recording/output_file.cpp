@@ -2,7 +2,7 @@
 #include "recording/output_file.hpp"
 
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(int error) {
-  problem_ = name_ + ": " + std::strerror(error);
+  problem_ = name_ + ": " + std::generic_category().message(error);
 }
 
 bool OutputFile::write(std::string_view bytes) {

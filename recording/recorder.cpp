@@ -93,16 +93,7 @@ struct Recorder::Impl {
     bool goes_on = true;
     while (goes_on) {
       std::deque<Entry> entries;
-      {
-        std::unique_lock lock(mutex);
-        wake.wait_for(lock, settings.flush_every, [this]() {
-          return is_ending || queued_bytes >= kChunkBytes;
-        });
-        entries = std::exchange(queue, {});
-        queued_bytes = 0;
-        goes_on = !is_ending;
-        if (all_channels.size() != channels.size()) all_channels = channels;
-      }
+      goes_on = take_queue(entries);
       write_all(entries);
       tell();
     }
@@ -111,6 +102,17 @@ struct Recorder::Impl {
     open->file.sync();
     if (!open->file.problem().empty()) give_up();
     tell();
+  }
+
+  /// Waits for a chunk's worth or the time to flush; false when this is the last.
+  bool take_queue(std::deque<Entry>& entries) {
+    std::unique_lock lock(mutex);
+    wake.wait_for(
+        lock, settings.flush_every, [this]() { return is_ending || queued_bytes >= kChunkBytes; });
+    entries = std::exchange(queue, {});
+    queued_bytes = 0;
+    if (all_channels.size() != channels.size()) all_channels = channels;
+    return !is_ending;
   }
 
   void write_all(const std::deque<Entry>& entries) {

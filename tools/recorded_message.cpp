@@ -65,49 +65,51 @@ std::string shortest(double value) {
   return back == value ? brief.data() : text.data();
 }
 
-void flatten(const protobuf::Message& message, const std::string& prefix, Fields& out);
+/// One value of a field; `index` is -1 where the field is not repeated.
+struct Value {
+  const protobuf::Message& message;
+  const protobuf::FieldDescriptor& field;
+  int index;
+};
 
-/// One value of a field; `index` is -1 where it is not repeated.
-void flatten_value(const protobuf::Message& message,
-                   const protobuf::FieldDescriptor& field,
-                   int index,
-                   Fields& out_by_path,
-                   const std::string& path) {
-  using Cpp = protobuf::FieldDescriptor;
-  const protobuf::Reflection& get = *message.GetReflection();
-  const bool one = index < 0;
-  switch (field.cpp_type()) {
-    case Cpp::CPPTYPE_MESSAGE:
-      flatten(
-          one ? get.GetMessage(message, &field) : get.GetRepeatedMessage(message, &field, index),
-          path + ".",
-          out_by_path);
-      return;
-    case Cpp::CPPTYPE_DOUBLE:
-      out_by_path[path] = shortest(one ? get.GetDouble(message, &field)
-                                       : get.GetRepeatedDouble(message, &field, index));
-      return;
-    case Cpp::CPPTYPE_STRING: {
-      if (field.type() == Cpp::TYPE_BYTES) return;
-      std::string text = "\"";
-      for (const char letter :
-           one ? get.GetString(message, &field) : get.GetRepeatedString(message, &field, index)) {
-        text += letter == '"' ? "\"\"" : std::string(1, letter);
-      }
-      out_by_path[path] = text + "\"";
-      return;
-    }
-    case Cpp::CPPTYPE_ENUM:
-      out_by_path[path] =
-          (one ? get.GetEnum(message, &field) : get.GetRepeatedEnum(message, &field, index))
-              ->name();
-      return;
-    default:
-      break;
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char letter : text) out += letter == '"' ? "\"\"" : std::string(1, letter);
+  return out + "\"";
+}
+
+const protobuf::Message& part_of(const Value& value) {
+  const protobuf::Reflection& get = *value.message.GetReflection();
+  return value.index < 0 ? get.GetMessage(value.message, &value.field)
+                         : get.GetRepeatedMessage(value.message, &value.field, value.index);
+}
+
+/// As a cell of a table.
+std::string text_of(const Value& value) {
+  const protobuf::Reflection& get = *value.message.GetReflection();
+  const bool is_one = value.index < 0;
+  if (value.field.cpp_type() == protobuf::FieldDescriptor::CPPTYPE_DOUBLE) {
+    return shortest(is_one ? get.GetDouble(value.message, &value.field)
+                           : get.GetRepeatedDouble(value.message, &value.field, value.index));
+  }
+  if (value.field.cpp_type() == protobuf::FieldDescriptor::CPPTYPE_STRING) {
+    return quoted(is_one ? get.GetString(value.message, &value.field)
+                         : get.GetRepeatedString(value.message, &value.field, value.index));
   }
   std::string text;
-  protobuf::TextFormat::PrintFieldValueToString(message, &field, index, &text);
-  out_by_path[path] = text;
+  protobuf::TextFormat::PrintFieldValueToString(value.message, &value.field, value.index, &text);
+  return text;
+}
+
+void flatten(const protobuf::Message& message, const std::string& prefix, Fields& out);
+
+void flatten(const Value& value, const std::string& path, Fields& out) {
+  if (value.field.type() == protobuf::FieldDescriptor::TYPE_BYTES) return;  // a picture is no cell
+  if (value.field.cpp_type() == protobuf::FieldDescriptor::CPPTYPE_MESSAGE) {
+    flatten(part_of(value), path + ".", out);
+  } else {
+    out[path] = text_of(value);
+  }
 }
 
 void flatten(const protobuf::Message& message, const std::string& prefix, Fields& out) {
@@ -117,11 +119,11 @@ void flatten(const protobuf::Message& message, const std::string& prefix, Fields
     const protobuf::FieldDescriptor& field = *type.field(i);
     const std::string path = prefix + field.name();
     if (!field.is_repeated()) {
-      flatten_value(message, field, -1, out, path);
+      flatten(Value{message, field, -1}, path, out);
       continue;
     }
     for (int k = 0; k < get.FieldSize(message, &field); ++k) {
-      flatten_value(message, field, k, out, path + "." + std::to_string(k));
+      flatten(Value{message, field, k}, path + "." + std::to_string(k), out);
     }
   }
 }
