@@ -10,8 +10,8 @@
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
 #include "bus/reader.hpp"
-#include "recording/to_proto.hpp"
 #include "recording.pb.h"
+#include "recording/to_proto.hpp"
 
 namespace teamsight::tools {
 namespace {
