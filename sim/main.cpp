@@ -134,16 +134,19 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
   const RobotId robot = setup.parameters.own.at(player);
   FramePipe pipe(std::filesystem::path(options.frames) /
                  ("robot" + std::to_string(robot) + ".stream"));
-  const RenderParameters look{setup.parameters.ball.radius,
-                              setup.parameters.body.radius,
-                              RenderParameters{}.robot_height,
-                              setup.match.pixel_noise_sigma};
+  PictureParameters look;
+  look.sensor.noise_sigma = setup.match.pixel_noise_sigma;
+  look.body = low_body();
+  const Bodies bodies{setup.parameters.ball.radius,
+                      setup.parameters.body.radius,
+                      setup.parameters.body.height,
+                      people_around(setup.field, setup.parameters.seed)};
   // Exposures are spread over the frame period, so that the drawing is too.
   const double phase = static_cast<double>(player) / static_cast<double>(setup.match.robots.size());
   RobotCamera camera(player,
                      {setup.start, setup.match.frame_rate_hz, phase},
                      Match(setup.parameters, setup.field),
-                     Renderer(setup.camera, setup.field, look),
+                     {Renderer(setup.camera, setup.field, look), bodies},
                      pipe);
   std::optional<Drive> drive;
   if (setup.match.team.has_value()) {

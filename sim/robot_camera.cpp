@@ -16,11 +16,12 @@ constexpr std::uint32_t kNoiseSeed = 2000;
 }  // namespace
 
 RobotCamera::RobotCamera(
-    std::size_t player, const CameraClock& clock, Match match, Renderer renderer, FramePipe& pipe)
+    std::size_t player, const CameraClock& clock, Match match, Eye eye, FramePipe& pipe)
     : player_(player),
       clock_(clock),
       match_(std::move(match)),
-      renderer_(std::move(renderer)),
+      renderer_(std::move(eye.renderer)),
+      bodies_(std::move(eye.bodies)),
       pipe_(&pipe),
       wheels_({}, kWheelSeed + static_cast<std::uint32_t>(player)),
       noise_(kNoiseSeed + static_cast<std::uint32_t>(player)) {
@@ -51,18 +52,10 @@ void RobotCamera::tick(HostTime now) {
 }
 
 void RobotCamera::look() {
-  const MatchState& state = match_.state();
-  scene_.X_FR = state.players[player_].X_FR;
-  scene_.p_FB = state.balls.front().p_FB;
-  scene_.others.clear();
-  for (std::size_t i = 0; i < state.players.size(); ++i) {
-    if (i != player_ && state.players[i].on_field) {
-      scene_.others.push_back(state.players[i].X_FR.origin());
-    }
-  }
+  show(match_.state(), player_, bodies_, scene_);
   renderer_.draw(scene_, noise_, picture_);
-  pipe_->send({renderer_.width_px(), renderer_.height_px(), renderer_.format(), moment_, frame_},
-              picture_);
+  const vision::CameraParameters& camera = renderer_.camera();
+  pipe_->send({camera.width_px, camera.height_px, camera.format, moment_, frame_}, picture_);
 }
 
 RobotCamera::Count RobotCamera::count(HostTime now) {

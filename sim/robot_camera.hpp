@@ -3,14 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "geometry/time.hpp"
 #include "sim/frame_pipe.hpp"
 #include "sim/match/match.hpp"
 #include "sim/match/wheels.hpp"
-#include "sim/renderer.hpp"
+#include "sim/render/renderer.hpp"
+#include "sim/show.hpp"
 
 namespace teamsight::sim {
 
@@ -28,12 +28,14 @@ struct CameraClock {
 /// Plays the match along, draws what the robot sees and counts its wheels.
 class RobotCamera {
  public:
+  /// What the robot sees with, and of whom.
+  struct Eye {
+    Renderer renderer;
+    Bodies bodies;
+  };
+
   /// @param player  index in the match's players
-  RobotCamera(std::size_t player,
-              const CameraClock& clock,
-              Match match,
-              Renderer renderer,
-              FramePipe& pipe);
+  RobotCamera(std::size_t player, const CameraClock& clock, Match match, Eye eye, FramePipe& pipe);
 
   /// Exposes when it is time for it; called every few milliseconds.
   void tick(HostTime now);
@@ -58,9 +60,10 @@ class RobotCamera {
   CameraClock clock_;
   Match match_;
   Renderer renderer_;
+  Bodies bodies_;
   FramePipe* pipe_;
   Wheels wheels_;
-  std::mt19937 noise_;
+  Random noise_;
   Scene scene_;
   std::vector<std::uint8_t> picture_;
   std::uint64_t frame_{0};

@@ -36,13 +36,15 @@ const std::vector<Layer> kLayers = {
     {"recording/",      {"geometry/", "bus/"}},
     {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/"}},
     {"sim/match/",      {"geometry/"}},
+    {"sim/render/",     {"geometry/", "sim/match/",
+                         "vision/camera_parameters.hpp"}},  // numbers only: no geometry is shared
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
-                         "sim/match/", "agent/frame_stream.hpp"}},  // the format of the pipe between the two
-    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/",
+                         "sim/match/", "sim/render/", "agent/frame_stream.hpp"}},  // the pipe's format
+    {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",
                          "recording/"}},
     {"examples/",       {"geometry/", "client/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
-                         "client/", "sim/match/"}},
+                         "client/", "sim/match/", "sim/render/"}},
     {"tests/",          {""}},  // everything
 };
 

@@ -1,8 +1,11 @@
-// sim/floor_texture.cpp: see floor_texture.hpp.
-#include "sim/floor_texture.hpp"
+// sim/render/floor_texture.cpp: see floor_texture.hpp.
+#include "sim/render/floor_texture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "sim/match/random.hpp"
 
 namespace teamsight::sim {
 namespace {
@@ -34,9 +37,41 @@ int squares(double length, double square) {
   return static_cast<int>(std::ceil(length / square));
 }
 
+// Noise between the corners of a grid of cells, in [-1, 1].
+class Blotches {
+ public:
+  Blotches(double cell, Random& random) : cell_(cell) {
+    for (float& value : values_) {
+      value = static_cast<float>(random.uniform(-1.0, 1.0));
+    }
+  }
+
+  [[nodiscard]] float at(double x, double y) const {
+    const double column = std::floor(x / cell_);
+    const double row = std::floor(y / cell_);
+    const auto fx = static_cast<float>(x / cell_ - column);
+    const auto fy = static_cast<float>(y / cell_ - row);
+    const int c = static_cast<int>(column);
+    const int r = static_cast<int>(row);
+    const float upper = corner(c, r) + fx * (corner(c + 1, r) - corner(c, r));
+    const float lower = corner(c, r + 1) + fx * (corner(c + 1, r + 1) - corner(c, r + 1));
+    return upper + fy * (lower - upper);
+  }
+
+ private:
+  static constexpr int kSide = 128;
+
+  [[nodiscard]] float corner(int column, int row) const {
+    return values_[static_cast<std::size_t>((column & (kSide - 1)) + kSide * (row & (kSide - 1)))];
+  }
+
+  double cell_;
+  std::array<float, static_cast<std::size_t>(kSide* kSide)> values_{};
+};
+
 }  // namespace
 
-FloorTexture::FloorTexture(const FieldModel& field)
+FloorTexture::FloorTexture(const FieldModel& field, double unevenness, std::uint32_t seed)
     : min_x_(static_cast<float>(field.centre.x - field.length / 2.0 - field.surround)),
       min_y_(static_cast<float>(field.centre.y - field.width / 2.0 - field.surround)),
       max_x_(static_cast<float>(field.centre.x + field.length / 2.0 + field.surround)),
@@ -48,10 +83,11 @@ FloorTexture::FloorTexture(const FieldModel& field)
   finest.columns = block * squares(static_cast<double>(max_x_ - min_x_), coarsest);
   finest.rows = block * squares(static_cast<double>(max_y_ - min_y_), coarsest);
   finest.per_metre = static_cast<float>(1.0 / kFinest);
-  finest.paint.resize(static_cast<std::size_t>(finest.columns) *
-                      static_cast<std::size_t>(finest.rows));
+  finest.texels.resize(static_cast<std::size_t>(finest.columns) *
+                       static_cast<std::size_t>(finest.rows));
   levels_.push_back(std::move(finest));
   paint(field);
+  brighten(unevenness, seed);
   add_coarser_levels();
 }
 
@@ -93,9 +129,36 @@ void FloorTexture::paint_patch(const Eigen::Vector2d& low,
                              static_cast<double>(min_y_) + (row + 0.5) * kFinest};
       const double share = share_of_band(distance(p_F), half_width, kFinest);
       std::uint8_t& square =
-          finest.paint[static_cast<std::size_t>(row) * static_cast<std::size_t>(finest.columns) +
-                       static_cast<std::size_t>(column)];
+          finest
+              .texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(finest.columns) +
+                      static_cast<std::size_t>(column)]
+              .paint;
       square = std::max(square, static_cast<std::uint8_t>(std::lround(kPaint * share)));
+    }
+  }
+}
+
+// Grain, tread and lamps; a seam every two metres of carpet.
+void FloorTexture::brighten(double unevenness, std::uint32_t seed) {
+  if (unevenness <= 0.0) {
+    return;
+  }
+  Random random(seed);
+  const Blotches grain(0.02, random);
+  const Blotches tread(0.4, random);
+  const Blotches lamps(4.0, random);
+  Level& finest = levels_.front();
+  std::size_t i = 0;
+  for (int row = 0; row < finest.rows; ++row) {
+    const double y = (row + 0.5) * kFinest;
+    const bool is_seam = std::fmod(y, 2.0) < kFinest;
+    for (int column = 0; column < finest.columns; ++column, ++i) {
+      const double x = (column + 0.5) * kFinest;
+      const float variation = 0.35F * grain.at(x, y) + 0.3F * tread.at(x, y) +
+                              0.6F * lamps.at(x, y) - (is_seam ? 0.6F : 0.0F);
+      const float brightness = 1.0F + static_cast<float>(unevenness) * variation;
+      finest.texels[i].brightness =
+          static_cast<std::uint8_t>(std::clamp(kNominal * brightness, 1.0F, 255.0F));
     }
   }
 }
@@ -112,19 +175,21 @@ FloorTexture::Level FloorTexture::halved(const Level& fine) {
   const auto columns = static_cast<std::size_t>(fine.columns);
   for (std::size_t row = 0; row < static_cast<std::size_t>(coarse.rows); ++row) {
     for (std::size_t column = 0; column < static_cast<std::size_t>(coarse.columns); ++column) {
-      const std::size_t above = 2 * row * columns + 2 * column;
-      const std::size_t below = above + columns;
-      const int sum =
-          fine.paint[above] + fine.paint[above + 1] + fine.paint[below] + fine.paint[below + 1];
-      coarse.paint.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+      const Texel* above = fine.texels.data() + 2 * row * columns + 2 * column;
+      const Texel* below = above + columns;
+      const int paint = above[0].paint + above[1].paint + below[0].paint + below[1].paint;
+      const int brightness =
+          above[0].brightness + above[1].brightness + below[0].brightness + below[1].brightness;
+      coarse.texels.push_back({static_cast<std::uint8_t>((paint + 2) / 4),
+                               static_cast<std::uint8_t>((brightness + 2) / 4)});
     }
   }
   return coarse;
 }
 
-std::uint8_t FloorTexture::at(float x, float y, int level) const {
-  if (x < min_x_ || y < min_y_ || x >= max_x_ || y >= max_y_) {
-    return kBeyond;
+FloorTexture::Spot FloorTexture::at(float x, float y, int level) const {
+  if (!is_carpet(x, y)) {
+    return {};
   }
   const Level& grid = levels_[static_cast<std::size_t>(level)];
   const float column = std::clamp(
@@ -135,11 +200,17 @@ std::uint8_t FloorTexture::at(float x, float y, int level) const {
   const int r = static_cast<int>(row);
   const int fx = static_cast<int>(256.0F * (column - static_cast<float>(c)));
   const int fy = static_cast<int>(256.0F * (row - static_cast<float>(r)));
-  const std::uint8_t* corner =
-      grid.paint.data() + static_cast<std::ptrdiff_t>(r) * grid.columns + c;
-  const int upper = corner[0] * (256 - fx) + corner[1] * fx;
-  const int lower = corner[grid.columns] * (256 - fx) + corner[grid.columns + 1] * fx;
-  return static_cast<std::uint8_t>((upper * (256 - fy) + lower * fy + 32768) >> 16);
+  const Texel* upper = grid.texels.data() + static_cast<std::ptrdiff_t>(r) * grid.columns + c;
+  const Texel* lower = upper + grid.columns;
+  const auto between = [fx, fy](int a, int b, int d, int e) {
+    return (a * (256 - fx) + b * fx) * (256 - fy) + (d * (256 - fx) + e * fx) * fy;
+  };
+  constexpr float kWhole = 65536.0F;
+  const int paint = between(upper[0].paint, upper[1].paint, lower[0].paint, lower[1].paint);
+  const int brightness =
+      between(upper[0].brightness, upper[1].brightness, lower[0].brightness, lower[1].brightness);
+  return {static_cast<float>(paint) * (1.0F / (kWhole * kPaint)),
+          static_cast<float>(brightness) * (1.0F / (kWhole * kNominal))};
 }
 
 }  // namespace teamsight::sim

@@ -1,0 +1,309 @@
+// sim/render/renderer.cpp: see renderer.hpp.
+#include "sim/render/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/angle.hpp"
+#include "geometry/expect.hpp"
+
+namespace teamsight::sim {
+namespace {
+
+constexpr Paint kHolder{14, 13, 15};  // what is beside the mirror, and its struts
+constexpr Paint kBlack{24, 23, 25};
+constexpr Paint kMetal{92, 94, 98};
+constexpr Paint kSkin{196, 150, 126};
+constexpr Paint kNet{210, 210, 210};
+constexpr double kNetShare = 0.2;     // of what is behind that a net hides
+constexpr double kPostRadius = 0.06;  // m
+constexpr float kHidden = 0.995F;
+
+Paint goal_paint(GoalColour colour) {
+  switch (colour) {
+    case GoalColour::kBlue:
+      return {30, 60, 200};
+    case GoalColour::kYellow:
+      return {230, 210, 30};
+    default:
+      return {230, 230, 230};
+  }
+}
+
+Pose<Field, Robot> moved(const Scene& scene, double seconds) {
+  return {scene.X_FR.x() + seconds * scene.v_FR.x,
+          scene.X_FR.y() + seconds * scene.v_FR.y,
+          scene.X_FR.theta() + seconds * scene.omega};
+}
+
+}  // namespace
+
+Renderer::Renderer(const vision::CameraParameters& camera,
+                   const FieldModel& field,
+                   const PictureParameters& parameters)
+    : camera_(camera),
+      parameters_(parameters),
+      optics_(camera),
+      sights_(optics_, camera.width_px, camera.height_px, parameters.fineness),
+      texture_(field, parameters.unevenness, parameters.hall_seed),
+      hall_(field, parameters.hall_seed),
+      sensor_(parameters.sensor, camera, optics_.centre()),
+      fine_(std::size_t{sights_.width()} * sights_.height(), Light(0.0F, 0.0F, 0.0F, 1.0F)) {
+  TEAMSIGHT_EXPECT(parameters.fineness >= 1 && parameters.fineness <= 8);
+  TEAMSIGHT_EXPECT(parameters.moments >= 1);
+  make_overlay();
+  make_floor_views();
+  for (const Wall& wall : field.walls) {
+    panels_.push_back({wall.from, wall.to, {{}, {}, 0.0, wall.height, {225, 225, 225}, 1.0}});
+  }
+  for (const Goal& goal : field.goals) {
+    add_goal(goal, field.centre);
+  }
+}
+
+// Own body, struts and what is beside the mirror never change: they are drawn once.
+void Renderer::make_overlay() {
+  Canvas overlay(fine_.size(), Light(0.0F, 0.0F, 0.0F, 0.0F));
+  std::vector<bool> is_seen(fine_.size(), false);
+  for (const Sight& sight : sights_.all()) {
+    is_seen[sight.pixel] = true;
+  }
+  for (const BodyPart& part : parameters_.body) {
+    paint_cylinder(
+        overlay, sights_, {{0.0, 0.0}, part.radius, 0.0, part.height, part.side, part.lid});
+  }
+  const Light holder = light_of(kHolder);
+  for (std::size_t pixel = 0; pixel < overlay.size(); ++pixel) {
+    if (!is_seen[pixel]) {
+      overlay[pixel] = holder;
+    }
+  }
+  add_struts(overlay);
+  std::vector<bool> hidden(overlay.size(), false);
+  for (std::uint32_t pixel = 0; pixel < overlay.size(); ++pixel) {
+    if (overlay[pixel][3] > 0.0F) {
+      overlay_.push_back({pixel, overlay[pixel]});
+      hidden[pixel] = overlay[pixel][3] > kHidden;
+    }
+  }
+  sights_.forget(hidden);
+}
+
+// Rods close to the lens: wedges with edges as soft as their lack of focus makes them.
+void Renderer::add_struts(Canvas& overlay) const {
+  constexpr double kSoft = 3.0;  // px
+  const Light holder = light_of(kHolder);
+  for (std::size_t pixel = 0; pixel < overlay.size() && !parameters_.struts.empty(); ++pixel) {
+    const double column = static_cast<double>(pixel % sights_.width());
+    const double row = static_cast<double>(pixel / sights_.width());
+    const double du = (column + 0.5) / parameters_.fineness - 0.5 - optics_.centre().u;
+    const double dv = (row + 0.5) / parameters_.fineness - 0.5 - optics_.centre().v;
+    const double radius = std::hypot(du, dv);
+    for (const Strut& strut : parameters_.struts) {
+      const double off = std::abs(angle_difference(std::atan2(-dv, du), strut.direction));
+      const double inside = (strut.half_width - off) * radius;
+      lay_over(
+          overlay[pixel], holder, static_cast<float>(std::clamp(0.5 + inside / kSoft, 0.0, 1.0)));
+    }
+  }
+}
+
+// A pixel's patch of floor is as long along the line of sight as its height makes it: where it is
+// longer than wide, several samples in a row.
+void Renderer::make_floor_views() {
+  for (const Sight& sight : sights_.all()) {
+    FloorView view;
+    if (sight.sees_floor()) {
+      const float range = sight.origin_z / -sight.direction_z;
+      const float across = std::max(range * sight.width, 1e-4F);
+      const float along = std::max(range * sight.height / -sight.direction_z, across);
+      const double level =
+          std::round(std::log2(static_cast<double>(across) / FloorTexture::kFinest));
+      view.level = static_cast<std::uint8_t>(std::clamp(level, 0.0, FloorTexture::kLevels - 1.0));
+      const float square = static_cast<float>(FloorTexture::kFinest * std::exp2(view.level));
+      view.samples = static_cast<std::uint8_t>(
+          std::clamp(std::lround(along / std::max(square, across)), 1L, 16L));
+      const float flat = std::hypot(sight.direction_x, sight.direction_y);
+      const float step = along / static_cast<float>(view.samples) / std::max(flat, 1e-6F);
+      view.step_x = step * sight.direction_x;
+      view.step_y = step * sight.direction_y;
+    }
+    floor_views_.push_back(view);
+  }
+}
+
+void Renderer::add_goal(const Goal& goal, const Point<Field>& centre) {
+  const Eigen::Vector2d left = goal.left_post.vector();
+  const Eigen::Vector2d right = goal.right_post.vector();
+  Eigen::Vector2d back(-(right - left).y(), (right - left).x());
+  back *= goal.depth / std::max(back.norm(), 1e-6);
+  if (back.dot(left - centre.vector()) < 0.0) {
+    back = -back;
+  }
+  const bool is_solid = goal.colour == GoalColour::kBlue || goal.colour == GoalColour::kYellow;
+  const Paint frame = goal_paint(goal.colour);
+  const Paint net = is_solid ? frame : kNet;
+  const double share = is_solid ? 1.0 : kNetShare;
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Panel& shape) {
+    panels_.push_back({Point<Field>::from(from), Point<Field>::from(to), shape});
+  };
+  if (goal.depth > 0.0) {
+    add(left + back, right + back, {{}, {}, 0.0, goal.height, net, share});
+    add(left, left + back, {{}, {}, 0.0, goal.height, net, share});
+    add(right, right + back, {{}, {}, 0.0, goal.height, net, share});
+  }
+  add(left, right, {{}, {}, goal.height - kPostRadius, goal.height + kPostRadius, frame, 1.0});
+  posts_.push_back({goal.left_post, goal.height, frame});
+  posts_.push_back({goal.right_post, goal.height, frame});
+}
+
+void Renderer::draw(const Scene& scene, Random& random, std::vector<std::uint8_t>& out) {
+  if (parameters_.fineness == 1 && parameters_.moments == 1) {
+    paint_moment(scene, 0.0);
+    sensor_.develop(fine_, random, out);
+    return;
+  }
+  light_.assign(std::size_t{camera_.width_px} * camera_.height_px, Light(0.0F, 0.0F, 0.0F, 0.0F));
+  for (int i = 0; i < parameters_.moments; ++i) {
+    const double share = (i + 0.5) / parameters_.moments - 0.5;
+    paint_moment(scene, share * parameters_.exposure);
+    add_moment();
+  }
+  sensor_.develop(light_, random, out);
+}
+
+// The mean of a pixel's fine pixels, and of the moments.
+void Renderer::add_moment() {
+  const auto n = static_cast<std::size_t>(parameters_.fineness);
+  const float share = 1.0F / static_cast<float>(n * n) / static_cast<float>(parameters_.moments);
+  for (std::size_t row = 0; row < sights_.height(); ++row) {
+    const Light* from = fine_.data() + row * sights_.width();
+    Light* to = light_.data() + row / n * camera_.width_px;
+    for (std::size_t column = 0; column < camera_.width_px; ++column) {
+      for (std::size_t i = 0; i < n; ++i) {
+        to[column] += share * *from++;
+      }
+    }
+  }
+}
+
+void Renderer::paint_moment(const Scene& scene, double seconds) {
+  const Pose<Field, Robot> X_FR = moved(scene, seconds);
+  paint_ground(X_FR);
+  paint_standing(scene, X_FR, seconds);
+  for (const Covered& covered : overlay_) {
+    Light& light = fine_[covered.pixel];
+    light = (1.0F - covered.light[3]) * light + covered.light;
+  }
+}
+
+void Renderer::paint_ground(const Pose<Field, Robot>& X_FR) {
+  const auto c = static_cast<float>(std::cos(X_FR.theta()));
+  const auto s = static_cast<float>(std::sin(X_FR.theta()));
+  const auto x = static_cast<float>(X_FR.x());
+  const auto y = static_cast<float>(X_FR.y());
+  const Light carpet = light_of(parameters_.carpet);
+  const Light line = light_of(parameters_.line) - carpet;
+  const std::span<const Sight> sights = sights_.all();
+  for (std::size_t i = 0; i < sights.size(); ++i) {
+    const Sight& sight = sights[i];
+    const FloorView& view = floor_views_[i];
+    Light sum(0.0F, 0.0F, 0.0F, 0.0F);
+    int on_carpet = 0;
+    for (int k = 0; k < view.samples; ++k) {
+      const float offset = static_cast<float>(k) - 0.5F * static_cast<float>(view.samples - 1);
+      const float px = sight.floor_x + offset * view.step_x;
+      const float py = sight.floor_y + offset * view.step_y;
+      const FloorTexture::Spot spot =
+          texture_.at(x + c * px - s * py, y + s * px + c * py, view.level);
+      on_carpet += spot.brightness > 0.0F ? 1 : 0;
+      sum += spot.brightness * (carpet + spot.paint * line);
+    }
+    if (on_carpet < view.samples || view.samples == 0) {
+      const Eigen::Vector3f origin(x + c * sight.origin_x - s * sight.origin_y,
+                                   y + s * sight.origin_x + c * sight.origin_y,
+                                   sight.origin_z);
+      const Eigen::Vector3f direction(c * sight.direction_x - s * sight.direction_y,
+                                      s * sight.direction_x + c * sight.direction_y,
+                                      sight.direction_z);
+      const int beyond = std::max(view.samples - on_carpet, view.samples == 0 ? 1 : 0);
+      sum += static_cast<float>(beyond) * hall_.look(origin, direction, sight.height);
+    }
+    fine_[sight.pixel] = sum / static_cast<float>(std::max<int>(view.samples, 1));
+  }
+}
+
+void Renderer::paint_fixed(const Pose<Robot, Field>& X_RF) {
+  for (const FieldPanel& panel : panels_) {
+    Panel shape = panel.shape;
+    shape.from = X_RF * panel.from;
+    shape.to = X_RF * panel.to;
+    paint_panel(fine_, sights_, shape);
+  }
+  for (const FieldPost& post : posts_) {
+    paint_cylinder(
+        fine_, sights_, {X_RF * post.p_F, kPostRadius, 0.0, post.height, post.paint, post.paint});
+  }
+}
+
+// From far to near: what is nearer is painted over what is behind it.
+void Renderer::paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR, double seconds) {
+  const Pose<Robot, Field> X_RF = X_FR.inverse();
+  paint_fixed(X_RF);
+  const std::size_t robots = scene.robots.size();
+  const std::size_t balls = scene.balls.size();
+  const auto place = [&](std::size_t i) -> Point3<Field> {
+    if (i < robots) {
+      const SceneRobot& robot = scene.robots[i];
+      return {robot.p_F.x + seconds * robot.v_F.x, robot.p_F.y + seconds * robot.v_F.y, 0.0};
+    }
+    if (i < robots + balls) {
+      const SceneBall& ball = scene.balls[i - robots];
+      return Point3<Field>::from(ball.p_FB.vector() + seconds * ball.v_FB.vector());
+    }
+    const Point<Field>& p_F = scene.people[i - robots - balls].p_F;
+    return {p_F.x, p_F.y, 0.0};
+  };
+  order_.clear();
+  for (std::size_t i = 0; i < robots + balls + scene.people.size(); ++i) {
+    const Point3<Robot> p_R = X_RF * place(i);
+    order_.emplace_back(-std::hypot(p_R.x, p_R.y), i);
+    if (i < robots || p_R.z < 0.2) {
+      shade_floor(fine_, sights_, p_R.on_floor(), i < robots ? scene.robots[i].radius : 0.06);
+    }
+  }
+  std::sort(order_.begin(), order_.end());
+  for (const auto& [distance, i] : order_) {
+    const Point3<Robot> p_R = X_RF * place(i);
+    if (i < robots) {
+      paint_robot(scene.robots[i], p_R.on_floor());
+    } else if (i < robots + balls) {
+      const SceneBall& ball = scene.balls[i - robots];
+      paint_ball(fine_, sights_, p_R, ball.radius, ball.paint);
+    } else {
+      paint_person(scene.people[i - robots - balls], p_R.on_floor());
+    }
+  }
+}
+
+// A black base with wheels, a shirt around the electronics, a thin tower and the mirror.
+void Renderer::paint_robot(const SceneRobot& robot, const Point<Robot>& p_R) {
+  const double h = robot.height;
+  const double r = robot.radius;
+  paint_cylinder(fine_, sights_, {p_R, r, 0.02, 0.4 * h, kBlack, kMetal});
+  paint_cylinder(fine_, sights_, {p_R, 0.8 * r, 0.38 * h, 0.75 * h, robot.shirt, kBlack});
+  paint_cylinder(fine_, sights_, {p_R, 0.2 * r, 0.7 * h, 0.93 * h, kBlack, kBlack});
+  paint_cylinder(fine_, sights_, {p_R, 0.35 * r, 0.92 * h, h, kBlack, kBlack});
+}
+
+void Renderer::paint_person(const ScenePerson& person, const Point<Robot>& p_R) {
+  for (const double side : {-0.11, 0.11}) {
+    const Point<Robot> leg{p_R.x, p_R.y + side};
+    paint_cylinder(fine_, sights_, {leg, 0.08, 0.0, 0.9, person.trousers, person.trousers});
+  }
+  paint_cylinder(fine_, sights_, {p_R, 0.2, 0.85, 1.45, person.shirt, person.shirt});
+  paint_cylinder(fine_, sights_, {p_R, 0.1, 1.45, 1.75, kSkin, kBlack});
+}
+
+}  // namespace teamsight::sim

@@ -1,0 +1,164 @@
+// sim/render/sensor.cpp: see sensor.hpp.
+#include "sim/render/sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/expect.hpp"
+
+namespace teamsight::sim {
+namespace {
+
+using vision::PixelFormat;
+
+constexpr std::size_t kNoise = std::size_t{1} << 15;
+
+Canvas make_noise() {
+  Random random(7);
+  Canvas noise(kNoise);
+  for (Light& light : noise) {
+    const auto normal = [&random] {
+      return static_cast<float>(random.normal(1.0));
+    };
+    light = {normal(), normal(), normal(), 0.0F};
+  }
+  return noise;
+}
+
+std::size_t bytes_per_pixel(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::kBgr:
+      return 3;
+    case PixelFormat::kGrey:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+float luminance(const Light& colour) {
+  return 0.299F * colour[0] + 0.587F * colour[1] + 0.114F * colour[2];
+}
+
+std::uint8_t byte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
+}
+
+}  // namespace
+
+Sensor::Sensor(const SensorParameters& parameters,
+               const vision::CameraParameters& camera,
+               const ImagePlace& centre)
+    : parameters_(parameters),
+      width_(camera.width_px),
+      height_(camera.height_px),
+      format_(camera.format),
+      noise_(make_noise()),
+      row_(width_),
+      above_(width_) {
+  TEAMSIGHT_EXPECT(bytes_per_pixel(format_) != 2 || width_ % 2 == 0);
+  gain_ = Light(static_cast<float>(parameters.red_gain),
+                static_cast<float>(parameters.green_gain),
+                static_cast<float>(parameters.blue_gain),
+                1.0F) *
+          static_cast<float>(parameters.exposure);
+  // A pass adds twice its weight to the square of sigma; a weight above 0.3 would ring.
+  const double widest = std::max(parameters.defocus_px, parameters.rim_defocus_px);
+  blur_passes_ = static_cast<int>(std::ceil(widest * widest / 0.6));
+  const double corner = std::hypot(static_cast<double>(width_), static_cast<double>(height_)) / 2.0;
+  for (std::size_t row = 0; row < height_; ++row) {
+    for (std::size_t column = 0; column < width_; ++column) {
+      const double radius =
+          std::hypot(static_cast<double>(column) - centre.u, static_cast<double>(row) - centre.v);
+      const double out = std::min(radius / corner, 1.0);
+      const double sigma =
+          parameters.defocus_px + out * out * (parameters.rim_defocus_px - parameters.defocus_px);
+      const double passes = std::max(blur_passes_, 1);
+      blur_weight_.push_back(static_cast<float>(std::min(sigma * sigma / 2.0 / passes, 0.3)));
+      vignette_.push_back(static_cast<float>(1.0 - parameters.vignetting * out * out));
+    }
+  }
+}
+
+void Sensor::develop(Canvas& light, Random& random, std::vector<std::uint8_t>& out) {
+  TEAMSIGHT_EXPECT(light.size() == width_ * height_);
+  out.resize(light.size() * bytes_per_pixel(format_));
+  for (int pass = 0; pass < blur_passes_; ++pass) {
+    blur(light);
+  }
+  for (std::size_t row = 0; row < height_; ++row) {
+    expose_row(light, row, random);
+    write_row(row, out);
+  }
+}
+
+// Each pixel gives its weight to its neighbours: first along the rows, then along the columns.
+void Sensor::blur(Canvas& light) {
+  for (std::size_t row = 0; row < height_; ++row) {
+    Light* pixel = light.data() + row * width_;
+    const float* weight = blur_weight_.data() + row * width_;
+    Light before = pixel[0];
+    for (std::size_t column = 1; column + 1 < width_; ++column) {
+      const Light here = pixel[column];
+      pixel[column] = here + weight[column] * (before + pixel[column + 1] - 2.0F * here);
+      before = here;
+    }
+  }
+  std::copy(light.begin(), light.begin() + static_cast<std::ptrdiff_t>(width_), above_.begin());
+  for (std::size_t row = 1; row + 1 < height_; ++row) {
+    Light* pixel = light.data() + row * width_;
+    const float* weight = blur_weight_.data() + row * width_;
+    for (std::size_t column = 0; column < width_; ++column) {
+      const Light here = pixel[column];
+      pixel[column] =
+          here + weight[column] * (above_[column] + pixel[column + width_] - 2.0F * here);
+      above_[column] = here;
+    }
+  }
+}
+
+void Sensor::expose_row(const Canvas& light, std::size_t row, Random& random) {
+  const Light* from = light.data() + row * width_;
+  const float* vignette = vignette_.data() + row * width_;
+  const auto sigma = static_cast<float>(parameters_.noise_sigma);
+  const auto dark_sigma = static_cast<float>(parameters_.dark_noise_sigma);
+  std::size_t n = random.below(kNoise);
+  for (std::size_t column = 0; column < width_; ++column) {
+    const Light shown = 255.0F * (from[column] * gain_ * vignette[column]).max(0.0F).sqrt();
+    const Light noise_sigma = sigma + dark_sigma * (1.0F - shown * (1.0F / 64.0F)).max(0.0F);
+    row_[column] = shown.min(255.0F) + noise_sigma * noise_[n++ & (kNoise - 1)];
+  }
+}
+
+void Sensor::write_row(std::size_t row, std::vector<std::uint8_t>& out) const {
+  std::uint8_t* to = out.data() + row * width_ * bytes_per_pixel(format_);
+  if (bytes_per_pixel(format_) == 2) {
+    write_pairs(to);
+    return;
+  }
+  for (const Light& colour : row_) {
+    if (format_ == PixelFormat::kGrey) {
+      *to++ = byte(luminance(colour));
+      continue;
+    }
+    *to++ = byte(colour[2]);
+    *to++ = byte(colour[1]);
+    *to++ = byte(colour[0]);
+  }
+}
+
+// BT.601, full range; two pixels share their colour.
+void Sensor::write_pairs(std::uint8_t* out) const {
+  const std::size_t y = format_ == PixelFormat::kYuyv ? 0 : 1;
+  const std::size_t c = 1 - y;
+  for (std::size_t column = 0; column + 1 < width_; column += 2, out += 4) {
+    const Light both = 0.5F * (row_[column] + row_[column + 1]);
+    const float grey = luminance(both);
+    out[y] = byte(luminance(row_[column]));
+    out[y + 2] = byte(luminance(row_[column + 1]));
+    out[c] = byte(128.0F + 0.564F * (both[2] - grey));
+    out[c + 2] = byte(128.0F + 0.713F * (both[0] - grey));
+  }
+}
+
+}  // namespace teamsight::sim
