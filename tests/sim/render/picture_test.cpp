@@ -244,5 +244,33 @@ TEST(Renderer, DrawsWhatPerceptionFindsAgain) {
   }
 }
 
+// Its sides and underside are darker than its top, and are ball as well: the middle of the top
+// alone lies beyond the ball, by 4 % at 2 m and 6 % at 4 m.
+TEST(Renderer, DrawsABallThatPerceptionFindsAsFarAwayAsItLies) {
+  const auto field = settings::load_field(test::source_path("config/fields/msl-2024.textproto"));
+  const vision::CameraParameters camera = sim_camera();
+  PictureParameters look;
+  look.body = low_body();
+  Renderer renderer(camera, field, look);
+  vision::Perception perception(camera, field);
+  Random random(6);
+  std::vector<std::uint8_t> picture;
+
+  for (const double distance : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    Scene scene;
+    scene.X_FR = {-5.0, 1.3, 0.0};
+    scene.balls = {ball_at(-5.0 + distance, 1.3, 0.11)};
+    renderer.draw(scene, random, picture);
+    const auto seen =
+        perception.see({picture, camera.width_px, camera.height_px, camera.format}, {});
+
+    ASSERT_TRUE(seen.has_value());
+    ASSERT_FALSE((*seen)->balls.empty()) << distance;
+    const auto foot = vision::meet_plane((*seen)->balls.front().ray_R, 0.11);
+    ASSERT_TRUE(foot.has_value());
+    EXPECT_NEAR(std::hypot(foot->x, foot->y), distance, 0.035 * distance);
+  }
+}
+
 }  // namespace
 }  // namespace teamsight::sim
