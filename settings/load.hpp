@@ -37,6 +37,37 @@ struct RobotSettings {
   StartSide start_side{StartSide::kUnknown};
 };
 
+/// What makes a simulated camera a real one.
+struct PictureSettings {
+  /// A part of the robot's own body: an upright cylinder on its axis; m.
+  struct Body {
+    double radius{0.0};
+    double height{0.0};
+  };
+
+  /// A rod that holds the mirror: a wedge in the picture, its direction counter-clockwise from
+  /// image right; rad.
+  struct Strut {
+    double direction{0.0};
+    double half_width{0.0};
+  };
+
+  int samples_per_axis{1};
+  int moments{1};          ///< of the exposure that are drawn and averaged
+  double exposure{0.005};  ///< s
+  double gain{1.0};
+  double red_gain{1.0};
+  double green_gain{1.0};
+  double blue_gain{1.0};
+  double vignetting{0.3};        ///< share of the light that is lost at the corners
+  double defocus_px{0.5};        ///< sigma in the middle
+  double rim_defocus_px{0.75};   ///< sigma at the corners
+  double unevenness{0.1};        ///< of the carpet's brightness
+  std::uint32_t defect_seed{0};  ///< 0: every eye is as its camera file says
+  std::vector<Body> body;        ///< empty: not said
+  std::vector<Strut> struts;
+};
+
 /// A simulated match (config/matches). Paths are absolute; the files exist.
 struct MatchSettings {
   std::filesystem::path field;
@@ -47,6 +78,8 @@ struct MatchSettings {
   std::uint32_t seed{1};  ///< the same seed gives the same match
   double frame_rate_hz{15.0};
   double pixel_noise_sigma{3.0};  ///< grey levels
+  std::string scenario;           ///< not checked: the simulator knows the names
+  PictureSettings picture;
 };
 
 /// Reads a field file and turns the rulebook's letters into lines, arcs, spots and goals.

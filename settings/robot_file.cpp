@@ -1,5 +1,6 @@
 // settings/robot_file.cpp: robot, team and match files.
 #include <algorithm>
+#include <numbers>
 
 #include "config.pb.h"
 #include "settings/load.hpp"
@@ -49,6 +50,35 @@ RobotSettings load_robot(const std::filesystem::path& path) {
   return robot;
 }
 
+namespace {
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180.0;
+}
+
+PictureSettings picture_of(const config::MatchFile::Picture& file) {
+  PictureSettings picture;
+  picture.samples_per_axis = static_cast<int>(file.samples_per_axis());
+  picture.moments = static_cast<int>(file.moments());
+  picture.exposure = file.exposure_ms() / 1000.0;
+  picture.gain = file.gain();
+  picture.red_gain = file.red_gain();
+  picture.green_gain = file.green_gain();
+  picture.blue_gain = file.blue_gain();
+  picture.vignetting = file.vignetting();
+  picture.defocus_px = file.defocus_px();
+  picture.rim_defocus_px = file.rim_defocus_px();
+  picture.unevenness = file.unevenness();
+  picture.defect_seed = file.defect_seed();
+  for (const auto& part : file.body()) picture.body.push_back({part.radius_m(), part.height_m()});
+  for (const auto& strut : file.strut()) {
+    picture.struts.push_back({radians(strut.direction_deg()), radians(strut.half_width_deg())});
+  }
+  return picture;
+}
+
+}  // namespace
+
 MatchSettings load_match(const std::filesystem::path& path) {
   config::MatchFile file;
   const TextFile text = TextFile::read(path, file);
@@ -68,6 +98,8 @@ MatchSettings load_match(const std::filesystem::path& path) {
   match.seed = file.seed();
   match.frame_rate_hz = file.frame_rate_hz();
   match.pixel_noise_sigma = file.pixel_noise_sigma();
+  match.scenario = file.scenario();
+  match.picture = picture_of(file.picture());
   return match;
 }
 

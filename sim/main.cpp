@@ -25,6 +25,7 @@
 #include "process/program.hpp"
 #include "settings/load.hpp"
 #include "sim/robot_camera.hpp"
+#include "sim/setup.hpp"
 
 namespace teamsight::sim {
 namespace {
@@ -37,15 +38,8 @@ struct Options {
   std::string team;
   double seconds{0.0};
   std::optional<std::uint32_t> seed;
-  process::DomainOptions domains;
-};
-
-struct Setup {
-  settings::MatchSettings match;
-  FieldModel field;
-  vision::CameraParameters camera;
-  MatchParameters parameters;
   HostTime start{};
+  process::DomainOptions domains;
 };
 
 std::optional<int> parse(Options& options, int argc, const char* const* argv) {
@@ -61,17 +55,12 @@ std::optional<int> parse(Options& options, int argc, const char* const* argv) {
   app.add_option("--team-domain", options.domains.team_domain, "DDS domain instead of the team's")
       ->check(CLI::Range(0, 229));
   app.add_option("--host-tag", options.domains.host_tag, "tag of the domain that gets the truth");
+  app.footer(scenario_help());
   return process::parse_command_line(app, argc, argv);
 }
 
 Setup load(const Options& options) {
-  Setup setup;
-  setup.match = settings::load_match(options.match);
-  if (!options.team.empty()) {
-    setup.match.team = settings::load_team(options.team);
-  }
-  setup.field = settings::load_field(setup.match.field);
-  setup.camera = settings::load_camera(setup.match.camera);
+  Setup setup = load_setup(options.match, options.team, options.seed);
   const vision::PixelFormat format = setup.camera.format;
   if ((format != vision::PixelFormat::kYuyv && format != vision::PixelFormat::kUyvy) ||
       setup.camera.width_px % 2 != 0) {
@@ -79,14 +68,6 @@ Setup load(const Options& options) {
                              ": format: found another one, expected YUYV or UYVY of even width "
                              "for a simulated camera");
   }
-  setup.parameters.seed = options.seed.value_or(setup.match.seed);
-  setup.parameters.own = setup.match.robots;
-  setup.parameters.opponents = setup.match.opponents;
-  if (setup.match.team.has_value()) {
-    setup.parameters.ball.radius = setup.match.team->ball_radius;
-    setup.parameters.body.radius = setup.match.team->robot_radius;
-  }
-  setup.start = bus::host_now();
   return setup;
 }
 
@@ -134,19 +115,12 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
   const RobotId robot = setup.parameters.own.at(player);
   FramePipe pipe(std::filesystem::path(options.frames) /
                  ("robot" + std::to_string(robot) + ".stream"));
-  PictureParameters look;
-  look.sensor.noise_sigma = setup.match.pixel_noise_sigma;
-  look.body = low_body();
-  const Bodies bodies{setup.parameters.ball.radius,
-                      setup.parameters.body.radius,
-                      setup.parameters.body.height,
-                      people_around(setup.field, setup.parameters.seed)};
   // Exposures are spread over the frame period, so that the drawing is too.
   const double phase = static_cast<double>(player) / static_cast<double>(setup.match.robots.size());
   RobotCamera camera(player,
-                     {setup.start, setup.match.frame_rate_hz, phase},
+                     {options.start, setup.match.frame_rate_hz, phase},
                      Match(setup.parameters, setup.field),
-                     {Renderer(setup.camera, setup.field, look), bodies},
+                     make_eye(setup, player, setup.camera.format),
                      pipe);
   std::optional<Drive> drive;
   if (setup.match.team.has_value()) {
@@ -158,7 +132,7 @@ int play_robot(const Options& options, const Setup& setup, std::size_t player) {
       drive->publish(camera.count(bus::host_now()));
     }
   });
-  end_after(loop, setup.start, options.seconds);
+  end_after(loop, options.start, options.seconds);
   loop.run();
   return process::kDone;
 }
@@ -202,13 +176,13 @@ int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& c
   ObservationId id{kNobody, process::draw_boot_id(), 0};
   loop.every(10ms, [&] {
     const HostTime now = bus::host_now();
-    match.advance_to(std::max(0.0, to_seconds(now - setup.start) - kBeforeKickOff));
+    match.advance_to(std::max(0.0, to_seconds(now - options.start) - kBeforeKickOff));
     if (writer.has_value()) {
       ++id.sequence;
       writer->write(
           truth_of(match.state(),
                    id,
-                   std::min(now, setup.start + from_seconds(kBeforeKickOff + match.time()))));
+                   std::min(now, options.start + from_seconds(kBeforeKickOff + match.time()))));
     }
   });
   loop.every(100ms, [&] {
@@ -216,7 +190,7 @@ int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& c
       loop.stop();
     }
   });
-  end_after(loop, setup.start, options.seconds);
+  end_after(loop, options.start, options.seconds);
   loop.run();
   return process::kDone;
 }
@@ -260,8 +234,9 @@ void end_robots(const std::vector<pid_t>& children) {
   }
 }
 
-int run(const Options& options) {
+int run(Options options) {
   const Setup setup = load(options);
+  options.start = bus::host_now();
   std::filesystem::create_directories(options.frames);
   const bus::HeldSignals held;  // or the second of two ends it before its robots
   std::vector<pid_t> children = start_robots(options, setup);

@@ -10,7 +10,7 @@
 #include "sim/match/match.hpp"
 #include "sim/match/wheels.hpp"
 #include "sim/render/renderer.hpp"
-#include "sim/show.hpp"
+#include "sim/setup.hpp"
 
 namespace teamsight::sim {
 
@@ -28,12 +28,6 @@ struct CameraClock {
 /// Plays the match along, draws what the robot sees and counts its wheels.
 class RobotCamera {
  public:
-  /// What the robot sees with, and of whom.
-  struct Eye {
-    Renderer renderer;
-    Bodies bodies;
-  };
-
   /// @param player  index in the match's players
   RobotCamera(std::size_t player, const CameraClock& clock, Match match, Eye eye, FramePipe& pipe);
 

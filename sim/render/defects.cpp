@@ -9,11 +9,11 @@ namespace teamsight::sim {
 CameraDefects draw_defects(std::uint32_t seed, const DefectSizes& sizes) {
   Random random(seed);
   CameraDefects defects;
-  defects.mirror_offset_C = {random.normal(sizes.sigma_lateral),
-                             random.normal(sizes.sigma_lateral),
-                             random.normal(sizes.sigma_axial)};
-  defects.mirror_tilt_C = {random.normal(sizes.sigma_mirror_tilt),
-                           random.normal(sizes.sigma_mirror_tilt)};
+  defects.mirror_offset = {random.normal(sizes.sigma_lateral),
+                           random.normal(sizes.sigma_lateral),
+                           random.normal(sizes.sigma_axial)};
+  defects.mirror_tilt = {random.normal(sizes.sigma_mirror_tilt),
+                         random.normal(sizes.sigma_mirror_tilt)};
   defects.head_roll = random.normal(sizes.sigma_head_tilt);
   defects.head_pitch = random.normal(sizes.sigma_head_tilt);
   defects.focal_scale = 1.0 + random.normal(sizes.sigma_focal);
@@ -26,10 +26,10 @@ vision::CameraParameters with_defects(vision::CameraParameters camera,
                                       const CameraDefects& defects) {
   if (auto* mirror = std::get_if<vision::ProfileMirror>(&camera.mirror)) {
     for (std::size_t i = 0; i < 3; ++i) {
-      mirror->offset_C[i] += defects.mirror_offset_C[i];
+      mirror->offset_C[i] += defects.mirror_offset[i];
     }
-    mirror->tilt_C[0] += defects.mirror_tilt_C[0];
-    mirror->tilt_C[1] += defects.mirror_tilt_C[1];
+    mirror->tilt_C[0] += defects.mirror_tilt[0];
+    mirror->tilt_C[1] += defects.mirror_tilt[1];
     mirror->head_roll += defects.head_roll;
     mirror->head_pitch += defects.head_pitch;
     mirror->focal_x_px *= defects.focal_scale;

@@ -10,12 +10,12 @@ namespace teamsight::sim {
 
 /// What assembly got wrong on one robot. The agent is never told.
 struct CameraDefects {
-  std::array<double, 3> mirror_offset_C{};  ///< m
-  std::array<double, 2> mirror_tilt_C{};    ///< about C's x and y; rad
-  double head_roll{0.0};                    ///< of camera and mirror together; rad
-  double head_pitch{0.0};                   ///< rad
-  double focal_scale{1.0};                  ///< dimensionless
-  double centre_u_px{0.0};                  ///< of the image centre against the file's
+  std::array<double, 3> mirror_offset{};  ///< in C; m
+  std::array<double, 2> mirror_tilt{};    ///< about C's x and y; rad
+  double head_roll{0.0};                  ///< of camera and mirror together; rad
+  double head_pitch{0.0};                 ///< rad
+  double focal_scale{1.0};                ///< dimensionless
+  double centre_u_px{0.0};                ///< of the image centre against the file's
   double centre_v_px{0.0};
 };
 

@@ -59,14 +59,16 @@ class Blotches {
   }
 
  private:
-  static constexpr int kSide = 128;
+  static constexpr std::size_t kSide = 128;  // a power of two
+
+  static std::size_t wrapped(int place) { return static_cast<std::size_t>(place) & (kSide - 1); }
 
   [[nodiscard]] float corner(int column, int row) const {
-    return values_[static_cast<std::size_t>((column & (kSide - 1)) + kSide * (row & (kSide - 1)))];
+    return values_[wrapped(column) + kSide * wrapped(row)];
   }
 
   double cell_;
-  std::array<float, static_cast<std::size_t>(kSide* kSide)> values_{};
+  std::array<float, kSide * kSide> values_{};
 };
 
 }  // namespace
@@ -167,11 +169,18 @@ void FloorTexture::add_coarser_levels() {
   while (levels_.size() < static_cast<std::size_t>(kLevels)) {
     levels_.push_back(halved(levels_.back()));
   }
+  for (Level& level : levels_) {
+    level.last_column = static_cast<float>(level.columns) - 1.07F;
+    level.last_row = static_cast<float>(level.rows) - 1.07F;
+  }
 }
 
 // Each square holds the mean of four.
 FloorTexture::Level FloorTexture::halved(const Level& fine) {
-  Level coarse{fine.columns / 2, fine.rows / 2, fine.per_metre / 2.0F, {}};
+  Level coarse;
+  coarse.columns = fine.columns / 2;
+  coarse.rows = fine.rows / 2;
+  coarse.per_metre = fine.per_metre / 2.0F;
   const auto columns = static_cast<std::size_t>(fine.columns);
   for (std::size_t row = 0; row < static_cast<std::size_t>(coarse.rows); ++row) {
     for (std::size_t column = 0; column < static_cast<std::size_t>(coarse.columns); ++column) {
@@ -185,32 +194,6 @@ FloorTexture::Level FloorTexture::halved(const Level& fine) {
     }
   }
   return coarse;
-}
-
-FloorTexture::Spot FloorTexture::at(float x, float y, int level) const {
-  if (!is_carpet(x, y)) {
-    return {};
-  }
-  const Level& grid = levels_[static_cast<std::size_t>(level)];
-  const float column = std::clamp(
-      (x - min_x_) * grid.per_metre - 0.5F, 0.0F, static_cast<float>(grid.columns) - 1.001F);
-  const float row = std::clamp(
-      (y - min_y_) * grid.per_metre - 0.5F, 0.0F, static_cast<float>(grid.rows) - 1.001F);
-  const int c = static_cast<int>(column);
-  const int r = static_cast<int>(row);
-  const int fx = static_cast<int>(256.0F * (column - static_cast<float>(c)));
-  const int fy = static_cast<int>(256.0F * (row - static_cast<float>(r)));
-  const Texel* upper = grid.texels.data() + static_cast<std::ptrdiff_t>(r) * grid.columns + c;
-  const Texel* lower = upper + grid.columns;
-  const auto between = [fx, fy](int a, int b, int d, int e) {
-    return (a * (256 - fx) + b * fx) * (256 - fy) + (d * (256 - fx) + e * fx) * fy;
-  };
-  constexpr float kWhole = 65536.0F;
-  const int paint = between(upper[0].paint, upper[1].paint, lower[0].paint, lower[1].paint);
-  const int brightness =
-      between(upper[0].brightness, upper[1].brightness, lower[0].brightness, lower[1].brightness);
-  return {static_cast<float>(paint) * (1.0F / (kWhole * kPaint)),
-          static_cast<float>(brightness) * (1.0F / (kWhole * kNominal))};
 }
 
 }  // namespace teamsight::sim

@@ -1,6 +1,8 @@
 // sim/render/floor_texture.hpp: the painted floor as a picture, made once.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +49,8 @@ class FloorTexture {
     int columns{0};
     int rows{0};
     float per_metre{0.0F};
+    float last_column{0.0F};  // up to where there is a neighbour to the right
+    float last_row{0.0F};
     std::vector<Texel> texels;
   };
 
@@ -66,5 +70,33 @@ class FloorTexture {
   float max_y_;
   std::vector<Level> levels_;
 };
+
+// Here, because it is called for every pixel. Weights have four bits, so that paint and brightness
+// fit side by side into one number.
+inline FloorTexture::Spot FloorTexture::at(float x, float y, int level) const {
+  if (!is_carpet(x, y)) {
+    return {};
+  }
+  const Level& grid = levels_[static_cast<std::size_t>(level)];
+  const float column = std::clamp((x - min_x_) * grid.per_metre - 0.5F, 0.0F, grid.last_column);
+  const float row = std::clamp((y - min_y_) * grid.per_metre - 0.5F, 0.0F, grid.last_row);
+  const auto across = static_cast<std::uint32_t>(16.0F * column);
+  const auto down = static_cast<std::uint32_t>(16.0F * row);
+  const std::uint32_t fx = across & 15U;
+  const std::uint32_t fy = down & 15U;
+  const Texel* upper =
+      grid.texels.data() +
+      static_cast<std::size_t>(down >> 4U) * static_cast<std::size_t>(grid.columns) +
+      (across >> 4U);
+  const Texel* lower = upper + grid.columns;
+  const auto both = [](const Texel& texel) {
+    return std::uint32_t{texel.paint} | std::uint32_t{texel.brightness} << 16U;
+  };
+  const std::uint32_t sum = both(upper[0]) * ((16U - fx) * (16U - fy)) +
+                            both(upper[1]) * (fx * (16U - fy)) +
+                            both(lower[0]) * ((16U - fx) * fy) + both(lower[1]) * (fx * fy);
+  return {static_cast<float>(sum & 0xFFFFU) * (1.0F / (256.0F * kPaint)),
+          static_cast<float>(sum >> 16U) * (1.0F / (256.0F * kNominal))};
+}
 
 }  // namespace teamsight::sim

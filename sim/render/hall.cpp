@@ -42,7 +42,7 @@ void Hall::fill(double from, double to, double low, double high, const Paint& pa
   for (int row = first; row < last; ++row) {
     for (int column = static_cast<int>(from / kSquare); column < static_cast<int>(to / kSquare);
          ++column) {
-      walls_[static_cast<std::size_t>(row * columns_ + column % columns_)] = paint;
+      walls_[index_of(column % columns_, row)] = paint;
     }
   }
 }
@@ -51,7 +51,7 @@ void Hall::furnish(std::uint32_t seed) {
   Random random(seed);
   const std::array<Paint, 4> plaster{
       Paint{176, 178, 174}, {158, 156, 146}, {186, 182, 170}, {140, 146, 152}};
-  walls_.assign(static_cast<std::size_t>(columns_ * kRows), plaster[random.below(4)]);
+  walls_.assign(index_of(0, kRows), plaster[random.below(4)]);
   const double around = columns_ * kSquare;
   for (double along = 0.0; along < around;) {
     const double width = random.uniform(0.5, 3.0);
@@ -123,7 +123,7 @@ Light Hall::wall(float along, float z) const {
   const int column =
       std::clamp(static_cast<int>(along / static_cast<float>(kSquare)), 0, columns_ - 1);
   const int row = std::clamp(static_cast<int>(z / static_cast<float>(kSquare)), 0, kRows - 1);
-  return light_of(walls_[static_cast<std::size_t>(row * columns_ + column)]);
+  return light_of(walls_[index_of(column, row)]);
 }
 
 // Dark, with rows of lamps.

@@ -1,6 +1,7 @@
 // sim/render/hall.hpp: what a camera sees beyond the carpet.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,12 @@ class Hall {
                                   const Eigen::Vector3f& direction);
   void furnish(std::uint32_t seed);
   void fill(double from, double to, double low, double high, const Paint& paint);
+
+  [[nodiscard]] std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
   [[nodiscard]] Light wall(float along, float z) const;
   [[nodiscard]] static Light ceiling(const Eigen::Vector3f& p_F);
 

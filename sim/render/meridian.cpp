@@ -19,30 +19,39 @@ bool is_smooth(const std::vector<vision::ProfilePoint>& points, std::size_t i) {
   return points[i + 1].x - points[i].x > kKink;
 }
 
+struct Stretch {
+  std::size_t first{0};
+  std::size_t last{0};
+};
+
+// Two points on each side of the piece from point i where there are, four in all where the smooth
+// stretch is that long.
+Stretch neighbours_of(const std::vector<vision::ProfilePoint>& points, std::size_t i) {
+  Stretch stretch{i, i + 1};
+  while (stretch.last - stretch.first < 3) {
+    const bool back = stretch.first > 0 && is_smooth(points, stretch.first - 1);
+    const bool on = stretch.last + 1 < points.size() && is_smooth(points, stretch.last);
+    const bool back_is_short = i - stretch.first <= stretch.last - i - 1;
+    if (back && (back_is_short || !on)) {
+      --stretch.first;
+    } else if (on) {
+      ++stretch.last;
+    } else {
+      break;
+    }
+  }
+  return stretch;
+}
+
 }  // namespace
 
 Meridian::Meridian(const std::vector<vision::ProfilePoint>& points) {
   TEAMSIGHT_EXPECT(points.size() >= 2);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (!is_smooth(points, i)) {
-      continue;
+    if (is_smooth(points, i)) {
+      const Stretch stretch = neighbours_of(points, i);
+      add_piece(points, i, stretch.first, stretch.last);
     }
-    // Two points on each side where there are, four in all where the stretch is that long.
-    std::size_t first = i;
-    std::size_t last = i + 1;
-    while (last - first < 3) {
-      const bool back = first > 0 && is_smooth(points, first - 1) && i - first <= last - i - 1;
-      const bool on = last + 1 < points.size() && is_smooth(points, last);
-      const bool back_only = first > 0 && is_smooth(points, first - 1);
-      if (back || (!on && back_only)) {
-        --first;
-      } else if (on) {
-        ++last;
-      } else {
-        break;
-      }
-    }
-    add_piece(points, i, first, last);
   }
   TEAMSIGHT_EXPECT(!pieces_.empty());
   end_ = points.back().x;
@@ -50,6 +59,10 @@ Meridian::Meridian(const std::vector<vision::ProfilePoint>& points) {
       points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   lowest_ = low->y;
   highest_ = high->y;
+  index_pieces();
+}
+
+void Meridian::index_pieces() {
   std::size_t piece = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     const double x =

@@ -39,6 +39,7 @@ class Meridian {
     double c[4]{};
   };
 
+  void index_pieces();
   void add_piece(const std::vector<vision::ProfilePoint>& points,
                  std::size_t piece,
                  std::size_t first,

@@ -218,20 +218,22 @@ std::optional<Ray<Robot>> Optics::look(const Mirror& mirror, double du, double d
 }
 
 std::optional<ImagePlace> Optics::nearest_look(const Point3<Robot>& p_R) const {
-  constexpr double kStride = 6.0;  // px
+  constexpr std::uint32_t kStride = 6;  // px
   std::optional<ImagePlace> best;
   double closest = 0.9;  // cosine of the angle between line of sight and point
-  for (double v = 0.0; v < height_px_; v += kStride) {
-    for (double u = 0.0; u < width_px_; u += kStride) {
-      const auto seen = look({u, v});
-      if (!seen.has_value()) {
-        continue;
-      }
-      const double near = (p_R.vector() - seen->origin.vector()).normalized().dot(seen->direction);
-      if (near > closest) {
-        closest = near;
-        best = ImagePlace{u, v};
-      }
+  const std::uint32_t columns = width_px_ / kStride;
+  for (std::uint32_t i = 0; i < columns * (height_px_ / kStride); ++i) {
+    const std::uint32_t column = i % columns;
+    const std::uint32_t row = i / columns;
+    const ImagePlace place{static_cast<double>(kStride * column),
+                           static_cast<double>(kStride * row)};
+    const auto seen = look(place);
+    const double near =
+        seen.has_value() ? (p_R.vector() - seen->origin.vector()).normalized().dot(seen->direction)
+                         : -1.0;
+    if (near > closest) {
+      closest = near;
+      best = place;
     }
   }
   return best;
@@ -257,9 +259,9 @@ std::optional<ImagePlace> Optics::find(const Point3<Robot>& p_R) const {
     if (!here.has_value() || !right.has_value() || !below.has_value()) {
       return std::nullopt;
     }
-    Eigen::Matrix2d J;
-    J << (*right - *here) / kNudge, (*below - *here) / kNudge;
-    Eigen::Vector2d step = -J.fullPivLu().solve(*here);
+    Eigen::Matrix2d jacobian;
+    jacobian << (*right - *here) / kNudge, (*below - *here) / kNudge;
+    Eigen::Vector2d step = -jacobian.fullPivLu().solve(*here);
     if (step.norm() > 10.0) {
       step *= 10.0 / step.norm();
     }

@@ -37,6 +37,22 @@ Pose<Field, Robot> moved(const Scene& scene, double seconds) {
           scene.X_FR.theta() + seconds * scene.omega};
 }
 
+// Where the i-th of robots, balls and people is, so long after the middle of the exposure.
+Point3<Field> place_of(const Scene& scene, std::size_t i, double seconds) {
+  const std::size_t robots = scene.robots.size();
+  const std::size_t balls = scene.balls.size();
+  if (i < robots) {
+    const SceneRobot& robot = scene.robots[i];
+    return {robot.p_F.x + seconds * robot.v_F.x, robot.p_F.y + seconds * robot.v_F.y, 0.0};
+  }
+  if (i < robots + balls) {
+    const SceneBall& ball = scene.balls[i - robots];
+    return Point3<Field>::from(ball.p_FB.vector() + seconds * ball.v_FB.vector());
+  }
+  const Point<Field>& p_F = scene.people[i - robots - balls].p_F;
+  return {p_F.x, p_F.y, 0.0};
+}
+
 }  // namespace
 
 Renderer::Renderer(const vision::CameraParameters& camera,
@@ -82,9 +98,11 @@ void Renderer::make_overlay() {
   add_struts(overlay);
   std::vector<bool> hidden(overlay.size(), false);
   for (std::uint32_t pixel = 0; pixel < overlay.size(); ++pixel) {
-    if (overlay[pixel][3] > 0.0F) {
+    hidden[pixel] = overlay[pixel][3] > kHidden;
+    if (hidden[pixel]) {
+      fine_[pixel] = overlay[pixel];
+    } else if (overlay[pixel][3] > 0.0F) {
       overlay_.push_back({pixel, overlay[pixel]});
-      hidden[pixel] = overlay[pixel][3] > kHidden;
     }
   }
   sights_.forget(hidden);
@@ -95,10 +113,11 @@ void Renderer::add_struts(Canvas& overlay) const {
   constexpr double kSoft = 3.0;  // px
   const Light holder = light_of(kHolder);
   for (std::size_t pixel = 0; pixel < overlay.size() && !parameters_.struts.empty(); ++pixel) {
-    const double column = static_cast<double>(pixel % sights_.width());
-    const double row = static_cast<double>(pixel / sights_.width());
-    const double du = (column + 0.5) / parameters_.fineness - 0.5 - optics_.centre().u;
-    const double dv = (row + 0.5) / parameters_.fineness - 0.5 - optics_.centre().v;
+    const std::size_t column = pixel % sights_.width();
+    const std::size_t row = pixel / sights_.width();
+    const double n = parameters_.fineness;
+    const double du = (static_cast<double>(column) + 0.5) / n - 0.5 - optics_.centre().u;
+    const double dv = (static_cast<double>(row) + 0.5) / n - 0.5 - optics_.centre().v;
     const double radius = std::hypot(du, dv);
     for (const Strut& strut : parameters_.struts) {
       const double off = std::abs(angle_difference(std::atan2(-dv, du), strut.direction));
@@ -114,6 +133,9 @@ void Renderer::add_struts(Canvas& overlay) const {
 void Renderer::make_floor_views() {
   for (const Sight& sight : sights_.all()) {
     FloorView view;
+    view.pixel = sight.pixel;
+    view.x = sight.floor_x;
+    view.y = sight.floor_y;
     if (sight.sees_floor()) {
       const float range = sight.origin_z / -sight.direction_z;
       const float across = std::max(range * sight.width, 1e-4F);
@@ -177,14 +199,13 @@ void Renderer::draw(const Scene& scene, Random& random, std::vector<std::uint8_t
 void Renderer::add_moment() {
   const auto n = static_cast<std::size_t>(parameters_.fineness);
   const float share = 1.0F / static_cast<float>(n * n) / static_cast<float>(parameters_.moments);
-  for (std::size_t row = 0; row < sights_.height(); ++row) {
-    const Light* from = fine_.data() + row * sights_.width();
-    Light* to = light_.data() + row / n * camera_.width_px;
-    for (std::size_t column = 0; column < camera_.width_px; ++column) {
-      for (std::size_t i = 0; i < n; ++i) {
-        to[column] += share * *from++;
-      }
+  const auto add_row = [&](const Light* from, Light* to) {
+    for (std::size_t i = 0; i < sights_.width(); ++i) {
+      to[i / n] += share * from[i];
     }
+  };
+  for (std::size_t row = 0; row < sights_.height(); ++row) {
+    add_row(fine_.data() + row * sights_.width(), light_.data() + row / n * camera_.width_px);
   }
 }
 
@@ -199,39 +220,42 @@ void Renderer::paint_moment(const Scene& scene, double seconds) {
 }
 
 void Renderer::paint_ground(const Pose<Field, Robot>& X_FR) {
-  const auto c = static_cast<float>(std::cos(X_FR.theta()));
-  const auto s = static_cast<float>(std::sin(X_FR.theta()));
-  const auto x = static_cast<float>(X_FR.x());
-  const auto y = static_cast<float>(X_FR.y());
+  const Turn turn{static_cast<float>(std::cos(X_FR.theta())),
+                  static_cast<float>(std::sin(X_FR.theta())),
+                  static_cast<float>(X_FR.x()),
+                  static_cast<float>(X_FR.y())};
   const Light carpet = light_of(parameters_.carpet);
   const Light line = light_of(parameters_.line) - carpet;
   const std::span<const Sight> sights = sights_.all();
-  for (std::size_t i = 0; i < sights.size(); ++i) {
-    const Sight& sight = sights[i];
+  for (std::size_t i = 0; i < floor_views_.size(); ++i) {
     const FloorView& view = floor_views_[i];
     Light sum(0.0F, 0.0F, 0.0F, 0.0F);
     int on_carpet = 0;
     for (int k = 0; k < view.samples; ++k) {
       const float offset = static_cast<float>(k) - 0.5F * static_cast<float>(view.samples - 1);
-      const float px = sight.floor_x + offset * view.step_x;
-      const float py = sight.floor_y + offset * view.step_y;
-      const FloorTexture::Spot spot =
-          texture_.at(x + c * px - s * py, y + s * px + c * py, view.level);
+      const float px = view.x + offset * view.step_x;
+      const float py = view.y + offset * view.step_y;
+      const FloorTexture::Spot spot = texture_.at(
+          turn.x + turn.c * px - turn.s * py, turn.y + turn.s * px + turn.c * py, view.level);
       on_carpet += spot.brightness > 0.0F ? 1 : 0;
       sum += spot.brightness * (carpet + spot.paint * line);
     }
-    if (on_carpet < view.samples || view.samples == 0) {
-      const Eigen::Vector3f origin(x + c * sight.origin_x - s * sight.origin_y,
-                                   y + s * sight.origin_x + c * sight.origin_y,
-                                   sight.origin_z);
-      const Eigen::Vector3f direction(c * sight.direction_x - s * sight.direction_y,
-                                      s * sight.direction_x + c * sight.direction_y,
-                                      sight.direction_z);
-      const int beyond = std::max(view.samples - on_carpet, view.samples == 0 ? 1 : 0);
-      sum += static_cast<float>(beyond) * hall_.look(origin, direction, sight.height);
+    const int all = std::max<int>(view.samples, 1);
+    if (on_carpet < all) {
+      sum += static_cast<float>(all - on_carpet) * beyond_carpet(sights[i], turn);
     }
-    fine_[sight.pixel] = sum / static_cast<float>(std::max<int>(view.samples, 1));
+    fine_[view.pixel] = all == 1 ? sum : Light(sum / static_cast<float>(all));
   }
+}
+
+Light Renderer::beyond_carpet(const Sight& sight, const Turn& turn) const {
+  const Eigen::Vector3f origin(turn.x + turn.c * sight.origin_x - turn.s * sight.origin_y,
+                               turn.y + turn.s * sight.origin_x + turn.c * sight.origin_y,
+                               sight.origin_z);
+  const Eigen::Vector3f direction(turn.c * sight.direction_x - turn.s * sight.direction_y,
+                                  turn.s * sight.direction_x + turn.c * sight.direction_y,
+                                  sight.direction_z);
+  return hall_.look(origin, direction, sight.height);
 }
 
 void Renderer::paint_fixed(const Pose<Robot, Field>& X_RF) {
@@ -253,21 +277,9 @@ void Renderer::paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR
   paint_fixed(X_RF);
   const std::size_t robots = scene.robots.size();
   const std::size_t balls = scene.balls.size();
-  const auto place = [&](std::size_t i) -> Point3<Field> {
-    if (i < robots) {
-      const SceneRobot& robot = scene.robots[i];
-      return {robot.p_F.x + seconds * robot.v_F.x, robot.p_F.y + seconds * robot.v_F.y, 0.0};
-    }
-    if (i < robots + balls) {
-      const SceneBall& ball = scene.balls[i - robots];
-      return Point3<Field>::from(ball.p_FB.vector() + seconds * ball.v_FB.vector());
-    }
-    const Point<Field>& p_F = scene.people[i - robots - balls].p_F;
-    return {p_F.x, p_F.y, 0.0};
-  };
   order_.clear();
   for (std::size_t i = 0; i < robots + balls + scene.people.size(); ++i) {
-    const Point3<Robot> p_R = X_RF * place(i);
+    const Point3<Robot> p_R = X_RF * place_of(scene, i, seconds);
     order_.emplace_back(-std::hypot(p_R.x, p_R.y), i);
     if (i < robots || p_R.z < 0.2) {
       shade_floor(fine_, sights_, p_R.on_floor(), i < robots ? scene.robots[i].radius : 0.06);
@@ -275,7 +287,7 @@ void Renderer::paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR
   }
   std::sort(order_.begin(), order_.end());
   for (const auto& [distance, i] : order_) {
-    const Point3<Robot> p_R = X_RF * place(i);
+    const Point3<Robot> p_R = X_RF * place_of(scene, i, seconds);
     if (i < robots) {
       paint_robot(scene.robots[i], p_R.on_floor());
     } else if (i < robots + balls) {

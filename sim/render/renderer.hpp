@@ -73,13 +73,24 @@ class Renderer {
  private:
   /// How a sight's patch of floor is looked up.
   struct FloorView {
+    float x{0.0F};  // its middle in R; m
+    float y{0.0F};
     float step_x{0.0F};  // from sample to sample, away from the robot; m
     float step_y{0.0F};
+    std::uint32_t pixel{0};
     std::uint8_t level{0};
-    std::uint8_t samples{0};
+    std::uint8_t samples{0};  // 0: it sees no floor
   };
 
-  /// A pixel of what never changes: own body, struts, everything beside the mirror.
+  /// A pose, ready for use on many points.
+  struct Turn {
+    float c{1.0F};
+    float s{0.0F};
+    float x{0.0F};
+    float y{0.0F};
+  };
+
+  /// A pixel that own body or struts fill in part; those that they fill wholly are painted once.
   struct Covered {
     std::uint32_t pixel{0};
     Light light;
@@ -104,6 +115,7 @@ class Renderer {
   void add_goal(const Goal& goal, const Point<Field>& centre);
   void paint_moment(const Scene& scene, double seconds);
   void paint_ground(const Pose<Field, Robot>& X_FR);
+  [[nodiscard]] Light beyond_carpet(const Sight& sight, const Turn& turn) const;
   void paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR, double seconds);
   void paint_fixed(const Pose<Robot, Field>& X_RF);
   void paint_robot(const SceneRobot& robot, const Point<Robot>& p_R);

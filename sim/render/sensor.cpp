@@ -55,7 +55,7 @@ Sensor::Sensor(const SensorParameters& parameters,
       format_(camera.format),
       noise_(make_noise()),
       row_(width_),
-      above_(width_) {
+      ring_{Canvas(width_), Canvas(width_), Canvas(width_)} {
   TEAMSIGHT_EXPECT(bytes_per_pixel(format_) != 2 || width_ % 2 == 0);
   gain_ = Light(static_cast<float>(parameters.red_gain),
                 static_cast<float>(parameters.green_gain),
@@ -80,51 +80,69 @@ Sensor::Sensor(const SensorParameters& parameters,
   }
 }
 
-void Sensor::develop(Canvas& light, Random& random, std::vector<std::uint8_t>& out) {
+void Sensor::develop(const Canvas& light, Random& random, std::vector<std::uint8_t>& out) {
   TEAMSIGHT_EXPECT(light.size() == width_ * height_);
   out.resize(light.size() * bytes_per_pixel(format_));
-  for (int pass = 0; pass < blur_passes_; ++pass) {
-    blur(light);
+  const Canvas* source = &light;
+  if (blur_passes_ > 1) {
+    copy_ = light;
+    for (int pass = 1; pass < blur_passes_; ++pass) {
+      blur_once(copy_);
+    }
+    source = &copy_;
   }
+  blur_along(source->data(), 0, ring_[0].data());
+  ring_[2] = ring_[0];
   for (std::size_t row = 0; row < height_; ++row) {
-    expose_row(light, row, random);
+    const std::size_t below = std::min(row + 1, height_ - 1);
+    blur_along(source->data() + below * width_, below, ring_[(row + 1) % 3].data());
+    expose_row(row, random);
     write_row(row, out);
   }
 }
 
-// Each pixel gives its weight to its neighbours: first along the rows, then along the columns.
-void Sensor::blur(Canvas& light) {
-  for (std::size_t row = 0; row < height_; ++row) {
-    Light* pixel = light.data() + row * width_;
-    const float* weight = blur_weight_.data() + row * width_;
-    Light before = pixel[0];
-    for (std::size_t column = 1; column + 1 < width_; ++column) {
-      const Light here = pixel[column];
-      pixel[column] = here + weight[column] * (before + pixel[column + 1] - 2.0F * here);
-      before = here;
-    }
+// Each pixel takes its weight from both neighbours.
+void Sensor::blur_along(const Light* from, std::size_t row, Light* to) const {
+  const float* weight = blur_weight_.data() + row * width_;
+  to[0] = from[0];
+  for (std::size_t column = 1; column + 1 < width_; ++column) {
+    to[column] =
+        from[column] + weight[column] * (from[column - 1] + from[column + 1] - 2.0F * from[column]);
   }
-  std::copy(light.begin(), light.begin() + static_cast<std::ptrdiff_t>(width_), above_.begin());
-  for (std::size_t row = 1; row + 1 < height_; ++row) {
-    Light* pixel = light.data() + row * width_;
+  to[width_ - 1] = from[width_ - 1];
+}
+
+void Sensor::blur_once(Canvas& light) {
+  blur_along(light.data(), 0, ring_[0].data());
+  ring_[2] = ring_[0];
+  for (std::size_t row = 0; row < height_; ++row) {
+    const std::size_t below = std::min(row + 1, height_ - 1);
     const float* weight = blur_weight_.data() + row * width_;
+    Canvas& next = ring_[(row + 1) % 3];
+    blur_along(light.data() + below * width_, below, next.data());
+    const Canvas& here = ring_[row % 3];
+    const Canvas& above = ring_[(row + 2) % 3];
     for (std::size_t column = 0; column < width_; ++column) {
-      const Light here = pixel[column];
-      pixel[column] =
-          here + weight[column] * (above_[column] + pixel[column + width_] - 2.0F * here);
-      above_[column] = here;
+      light[row * width_ + column] =
+          here[column] + weight[column] * (above[column] + next[column] - 2.0F * here[column]);
     }
   }
 }
 
-void Sensor::expose_row(const Canvas& light, std::size_t row, Random& random) {
-  const Light* from = light.data() + row * width_;
+// The second half of the last blur, and what the sensor makes of it.
+void Sensor::expose_row(std::size_t row, Random& random) {
+  const Light* above = ring_[(row + 2) % 3].data();
+  const Light* here = ring_[row % 3].data();
+  const Light* below = ring_[(row + 1) % 3].data();
+  const float* weight = blur_weight_.data() + row * width_;
   const float* vignette = vignette_.data() + row * width_;
   const auto sigma = static_cast<float>(parameters_.noise_sigma);
   const auto dark_sigma = static_cast<float>(parameters_.dark_noise_sigma);
   std::size_t n = random.below(kNoise);
   for (std::size_t column = 0; column < width_; ++column) {
-    const Light shown = 255.0F * (from[column] * gain_ * vignette[column]).max(0.0F).sqrt();
+    const Light light =
+        here[column] + weight[column] * (above[column] + below[column] - 2.0F * here[column]);
+    const Light shown = 255.0F * (light * gain_ * vignette[column]).max(0.0F).sqrt();
     const Light noise_sigma = sigma + dark_sigma * (1.0F - shown * (1.0F / 64.0F)).max(0.0F);
     row_[column] = shown.min(255.0F) + noise_sigma * noise_[n++ & (kNoise - 1)];
   }

@@ -1,6 +1,7 @@
 // sim/render/sensor.hpp: from light to bytes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct SensorParameters {
   double blue_gain{1.0};
   double vignetting{0.3};        ///< share of the light that is lost at the picture's corners
   double defocus_px{0.5};        ///< sigma of the blur in the picture's centre
-  double rim_defocus_px{0.8};    ///< and at its corners
+  double rim_defocus_px{0.75};   ///< and at its corners
   double noise_sigma{3.0};       ///< of each colour, from photons; grey levels
   double dark_noise_sigma{1.5};  ///< more of it in the dark; grey levels at black
 };
@@ -34,13 +35,14 @@ class Sensor {
 
   /// Makes a frame in the camera's format.
   ///
-  /// @param light  one entry per pixel; blurred in place
+  /// @param light  one entry per pixel
   /// @param out    resized to the frame; its memory is used again
-  void develop(Canvas& light, Random& random, std::vector<std::uint8_t>& out);
+  void develop(const Canvas& light, Random& random, std::vector<std::uint8_t>& out);
 
  private:
-  void blur(Canvas& light);
-  void expose_row(const Canvas& light, std::size_t row, Random& random);
+  void blur_once(Canvas& light);
+  void blur_along(const Light* from, std::size_t row, Light* to) const;
+  void expose_row(std::size_t row, Random& random);
   void write_row(std::size_t row, std::vector<std::uint8_t>& out) const;
   void write_pairs(std::uint8_t* out) const;
 
@@ -54,7 +56,8 @@ class Sensor {
   std::vector<float> vignette_;     // per pixel
   Canvas noise_;                    // normal, sigma 1
   Canvas row_;                      // what the sensor shows, 0 to 255
-  Canvas above_;                    // for blurring
+  std::array<Canvas, 3> ring_;      // three rows, blurred along
+  Canvas copy_;                     // of the light, where one pass of blur is not enough
 };
 
 }  // namespace teamsight::sim

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/expect.hpp"
+
 namespace teamsight::sim {
 namespace {
 
@@ -26,7 +28,7 @@ Eigen::Vector2f turn_to(const Line& from, const Line& to, const Eigen::Vector3f&
   return {change.dot(side), change.dot(from.direction.cross(side))};
 }
 
-Sight make_sight(std::uint32_t pixel, const Line& line) {
+Sight make_sight(std::uint32_t pixel, const Line& line, const Line& beside, const Line& below) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   Sight sight;
   sight.origin_x = line.origin.x();
@@ -39,6 +41,14 @@ Sight make_sight(std::uint32_t pixel, const Line& line) {
   sight.floor_x = kNever;
   sight.floor_y = kNever;
   sight.reach = kNever;
+  // Straight down there is no sideways: any does.
+  const Eigen::Vector3f level(-line.direction.y(), line.direction.x(), 0.0F);
+  const Eigen::Vector3f side =
+      level.norm() > 1e-6F ? level.normalized() : Eigen::Vector3f(Eigen::Vector3f::UnitY());
+  const Eigen::Vector2f to_right = turn_to(line, beside, side);
+  const Eigen::Vector2f down = turn_to(line, below, side);
+  sight.width = std::max(std::hypot(to_right.x(), down.x()), 1e-5F);
+  sight.height = std::max(std::hypot(to_right.y(), down.y()), 1e-5F);
   if (line.direction.z() < -1e-4F) {
     const float t = -line.origin.z() / line.direction.z();
     sight.floor_x = line.origin.x() + t * line.direction.x();
@@ -53,34 +63,23 @@ Sight make_sight(std::uint32_t pixel, const Line& line) {
 Sights::Sights(const Optics& optics, std::uint32_t width, std::uint32_t height, int fineness)
     : width_(width * static_cast<std::uint32_t>(fineness)),
       height_(height * static_cast<std::uint32_t>(fineness)) {
+  TEAMSIGHT_EXPECT(width > 1 && height > 1 && fineness >= 1);
   std::vector<Line> lines(std::size_t{width_} * height_);
-  for (std::uint32_t row = 0; row < height_; ++row) {
-    for (std::uint32_t column = 0; column < width_; ++column) {
-      const ImagePlace place{(column + 0.5) / fineness - 0.5, (row + 0.5) / fineness - 0.5};
-      if (const auto ray = optics.look(place)) {
-        lines[std::size_t{row} * width_ + column] = {ray->origin.vector().cast<float>(),
-                                                     ray->direction.cast<float>()};
-      }
+  for (std::uint32_t pixel = 0; pixel < lines.size(); ++pixel) {
+    const std::uint32_t column = pixel % width_;
+    const std::uint32_t row = pixel / width_;
+    const auto ray = optics.look({(column + 0.5) / fineness - 0.5, (row + 0.5) / fineness - 0.5});
+    if (ray.has_value()) {
+      lines[pixel] = {ray->origin.vector().cast<float>(), ray->direction.cast<float>()};
     }
   }
   for (std::uint32_t pixel = 0; pixel < lines.size(); ++pixel) {
-    const Line& line = lines[pixel];
-    if (!line.sees()) {
-      continue;
-    }
-    // Straight down there is no sideways: any does.
-    const Eigen::Vector3f level(-line.direction.y(), line.direction.x(), 0.0F);
-    const Eigen::Vector3f side =
-        level.norm() > 1e-6F ? level.normalized() : Eigen::Vector3f(Eigen::Vector3f::UnitY());
-    const std::uint32_t column = pixel % width_;
-    const Line& beside = lines[column + 1 < width_ ? pixel + 1 : pixel - 1];
+    const bool is_last = pixel % width_ + 1 == width_;
+    const Line& beside = lines[is_last ? pixel - 1 : pixel + 1];
     const Line& below = lines[pixel + width_ < lines.size() ? pixel + width_ : pixel - width_];
-    const Eigen::Vector2f to_right = turn_to(line, beside, side);
-    const Eigen::Vector2f down = turn_to(line, below, side);
-    Sight sight = make_sight(pixel, line);
-    sight.width = std::max(std::hypot(to_right.x(), down.x()), 1e-5F);
-    sight.height = std::max(std::hypot(to_right.y(), down.y()), 1e-5F);
-    sights_.push_back(sight);
+    if (lines[pixel].sees()) {
+      sights_.push_back(make_sight(pixel, lines[pixel], beside, below));
+    }
   }
   sort_into_bins();
 }
