@@ -67,20 +67,22 @@ Json truth_line(const std::string& image, const Match& match, const Reporter& re
   return line;
 }
 
-void write_picture(const fs::path& file, Reporter& reporter) {
+void write_picture(const fs::path& file, std::optional<int> jpeg_quality, Reporter& reporter) {
   const vision::CameraParameters& camera = reporter.eye.renderer.camera();
   const cv::Mat image(static_cast<int>(camera.height_px),
                       static_cast<int>(camera.width_px),
                       CV_8UC3,
                       reporter.picture.data());
-  if (!cv::imwrite(file.string(), image)) {
+  const std::vector<int> quality{cv::IMWRITE_JPEG_QUALITY, jpeg_quality.value_or(0)};
+  if (!cv::imwrite(file.string(), image, jpeg_quality ? quality : std::vector<int>{})) {
     throw std::runtime_error(file.string() + ": cannot be written");
   }
 }
 
-std::string image_name(const Player& player, int frame) {
+std::string image_name(const Player& player, int frame, const PictureBook& book) {
   char name[40];
-  std::snprintf(name, sizeof(name), "robot%d_%06d.png", player.number, frame);
+  const char* const ending = book.jpeg_quality ? "jpg" : "png";
+  std::snprintf(name, sizeof(name), "robot%d_%06d.%s", player.number, frame, ending);
   return name;
 }
 
@@ -106,7 +108,7 @@ void play_until(double time, Match& match, std::vector<Reporter>& reporters) {
 
 void write_page(const Match& match,
                 int frame,
-                const fs::path& folder,
+                const PictureBook& book,
                 Reporter& reporter,
                 std::ostream& truth) {
   const Player& self = match.state().players[reporter.player];
@@ -115,45 +117,45 @@ void write_page(const Match& match,
   }
   show(match.state(), reporter.player, reporter.eye.bodies, reporter.scene);
   reporter.eye.renderer.draw(reporter.scene, reporter.noise, reporter.picture);
-  const std::string image = image_name(self, frame);
-  write_picture(folder / image, reporter);
+  const std::string image = image_name(self, frame, book);
+  write_picture(book.folder / image, book.jpeg_quality, reporter);
   truth << truth_line(image, match, reporter).dump() << '\n';
 }
 
-void write_pages(const Setup& setup, const fs::path& folder, double seconds, const Progress& told) {
+void write_pages(const Setup& setup, const PictureBook& book, const Progress& told) {
   Match match(setup.parameters, setup.field);
   std::vector<Reporter> reporters = reporters_of(setup);
-  std::ofstream truth(folder / "truth.jsonl");
-  const int frames = static_cast<int>(seconds * setup.match.frame_rate_hz);
+  const fs::path truth_file = book.folder / "truth.jsonl";
+  std::ofstream truth(truth_file);
+  const int frames = static_cast<int>(book.seconds * setup.match.frame_rate_hz);
   for (int frame = 0; frame < frames; ++frame) {
     play_until(frame / setup.match.frame_rate_hz, match, reporters);
     for (Reporter& reporter : reporters) {
-      write_page(match, frame, folder, reporter, truth);
+      write_page(match, frame, book, reporter, truth);
     }
     told(frame + 1, frames);
   }
   if (!truth.flush()) {
-    throw std::runtime_error((folder / "truth.jsonl").string() + ": cannot be written");
+    throw std::runtime_error(truth_file.string() + ": cannot be written");
   }
 }
 
 }  // namespace
 
-void write_picture_book(const Setup& setup,
-                        const fs::path& folder,
-                        double seconds,
-                        const Progress& told) {
-  if (fs::exists(folder)) {
-    throw std::runtime_error(folder.string() + ": found something, expected no such folder yet");
+void write_picture_book(const Setup& setup, const PictureBook& book, const Progress& told) {
+  if (fs::exists(book.folder)) {
+    throw std::runtime_error(book.folder.string() +
+                             ": found something, expected no such folder yet");
   }
-  const fs::path unfinished = folder.string() + ".part";
-  fs::remove_all(unfinished);
-  fs::create_directories(unfinished);
+  PictureBook unfinished = book;
+  unfinished.folder += ".part";
+  fs::remove_all(unfinished.folder);
+  fs::create_directories(unfinished.folder);
   try {
-    write_pages(setup, unfinished, seconds, told);
-    fs::rename(unfinished, folder);
+    write_pages(setup, unfinished, told);
+    fs::rename(unfinished.folder, book.folder);
   } catch (...) {
-    fs::remove_all(unfinished);
+    fs::remove_all(unfinished.folder);
     throw;
   }
 }

@@ -43,7 +43,7 @@ const std::vector<Layer> kLayers = {
     {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",
                          "recording/"}},
     {"examples/",       {"geometry/", "client/"}},
-    {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/",
+    {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/",
                          "client/", "sim/match/", "sim/render/"}},
     {"tests/",          {""}},  // everything
 };

@@ -22,19 +22,22 @@ namespace fs = std::filesystem;
 class PictureBook : public testing::Test {
  protected:
   // Half a second of a match at 4 Hz: two pages for each of two robots.
-  [[nodiscard]] test::ChildProcess write(const std::string& lines = {}) const {
+  [[nodiscard]] test::ChildProcess write(const std::string& lines = {},
+                                         const std::vector<std::string>& options = {}) const {
     const auto config = test::source_path("config").string();
     const auto match = folder_.write(
         "match.textproto",
         "field: \"" + config + "/fields/msl-2024.textproto\"\n" + "camera: \"" + config +
             "/cameras/sim-640.textproto\"\nrobot: [1, 3]\n" + "frame_rate_hz: 4\n" + lines);
-    return test::ChildProcess({test::program("teamsight-sim-render").string(),
-                               "--match",
-                               match.string(),
-                               "--out",
-                               book().string(),
-                               "--seconds",
-                               "0.5"});
+    std::vector<std::string> command{test::program("teamsight-sim-render").string(),
+                                     "--match",
+                                     match.string(),
+                                     "--out",
+                                     book().string(),
+                                     "--seconds",
+                                     "0.5"};
+    command.insert(command.end(), options.begin(), options.end());
+    return test::ChildProcess(command);
   }
 
   [[nodiscard]] fs::path book() const { return folder_.path() / "book"; }
@@ -67,6 +70,18 @@ TEST_F(PictureBook, HasAPictureAndItsTruthForEveryRobotAndFrame) {
   EXPECT_EQ(lines[3]["image"], "robot3_000001.png");
   EXPECT_EQ(lines[3]["robot"], 3);
   EXPECT_EQ(lines[3]["time_s"], 0.25);
+}
+
+TEST_F(PictureBook, MayBeJpeg) {
+  auto writer = write({}, {"--jpeg", "70"});
+  ASSERT_EQ(writer.wait_exit(60s), 0) << writer.err();
+
+  const std::string image = truth().at(0)["image"];
+
+  EXPECT_EQ(image, "robot1_000000.jpg");
+  std::ifstream file(book() / image, std::ios::binary);
+  EXPECT_EQ(file.get(), 0xFF);
+  EXPECT_EQ(file.get(), 0xD8);
 }
 
 TEST_F(PictureBook, IsNotWrittenOverAnother) {
