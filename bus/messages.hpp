@@ -81,6 +81,10 @@ struct Odometry {
   double sigma_v{0.0};      ///< m/s
   double sigma_omega{0.0};  ///< rad/s
   bool slipping{false};
+  double gyro{0.0};           ///< turning rate by a gyro; rad/s
+  double sigma_gyro{0.0};     ///< rad/s; 0 = there is no gyro
+  double heading{0.0};        ///< of R's x axis in F, by a compass; rad
+  double sigma_heading{0.0};  ///< rad; 0 = there is no compass
 
   friend bool operator==(const Odometry&, const Odometry&) = default;
 };

@@ -58,6 +58,10 @@ std::optional<Reject> broken_rule(const teamsight_v1_Odometry& wire) {
   check.between(wire.sigma_v_mps, 0.0, kLargestSpeed);
   check.between(wire.sigma_omega_radps, 0.0, kLargestTurn);
   check.flag(wire.slipping);
+  check.within(wire.gyro_radps, kLargestTurn);
+  check.between(wire.sigma_gyro_radps, 0.0, kLargestTurn);
+  check.within(wire.heading_rad, kLargestAngle);
+  check.between(wire.sigma_heading_rad, 0.0, kLargestAngle);
   return check.broken();
 }
 
@@ -178,6 +182,10 @@ std::optional<Reject> to_wire(const Odometry& message, WireSample<Odometry>& out
   wire.sigma_v_mps = single(message.sigma_v);
   wire.sigma_omega_radps = single(message.sigma_omega);
   wire.slipping = octet(message.slipping);
+  wire.gyro_radps = single(message.gyro);
+  wire.sigma_gyro_radps = single(message.sigma_gyro);
+  wire.heading_rad = single(message.heading);
+  wire.sigma_heading_rad = single(message.sigma_heading);
   return broken_rule(wire);
 }
 
@@ -195,6 +203,10 @@ Result<Odometry, Reject> from_wire<Odometry>(const teamsight_v1_Odometry& wire) 
   message.sigma_v = static_cast<double>(wire.sigma_v_mps);
   message.sigma_omega = static_cast<double>(wire.sigma_omega_radps);
   message.slipping = wire.slipping != 0;
+  message.gyro = static_cast<double>(wire.gyro_radps);
+  message.sigma_gyro = static_cast<double>(wire.sigma_gyro_radps);
+  message.heading = static_cast<double>(wire.heading_rad);
+  message.sigma_heading = static_cast<double>(wire.sigma_heading_rad);
   return message;
 }
 

@@ -127,7 +127,11 @@ bus::Odometry value(const v1::Odometry& from, Decoding& decoding) {
           from.omega_radps(),
           from.sigma_v_mps(),
           from.sigma_omega_radps(),
-          from.slipping()};
+          from.slipping(),
+          from.gyro_radps(),
+          from.sigma_gyro_radps(),
+          from.heading_rad(),
+          from.sigma_heading_rad()};
 }
 
 WorldModel value(const v1::WorldModel& from, Decoding& decoding) {

@@ -137,6 +137,10 @@ void to_proto(const bus::Odometry& from, v1::Odometry& to) {
   to.set_sigma_v_mps(from.sigma_v);
   to.set_sigma_omega_radps(from.sigma_omega);
   to.set_slipping(from.slipping);
+  to.set_gyro_radps(from.gyro);
+  to.set_sigma_gyro_radps(from.sigma_gyro);
+  to.set_heading_rad(from.heading);
+  to.set_sigma_heading_rad(from.sigma_heading);
 }
 
 void to_proto(const WorldModel& from, v1::WorldModel& to) {

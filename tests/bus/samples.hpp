@@ -95,7 +95,11 @@ inline Odometry full<Odometry>() {
           -0.5,
           0.125,
           0.0625,
-          true};
+          true,
+          -0.5625,
+          0.015625,
+          2.25,
+          0.25};
 }
 
 template <>
