@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/expect.hpp"
 
@@ -19,18 +20,24 @@ LineMap::LineMap(const FieldModel& field) : field_(field) {
   TEAMSIGHT_EXPECT(!field.lines.empty() || !field.arcs.empty());
   const Eigen::Vector2d half{0.5 * field.length + field.surround + kMargin,
                              0.5 * field.width + field.surround + kMargin};
+  for (const FieldLine& line : field.lines) {
+    const Eigen::Vector2d along = line.to.vector() - line.from.vector();
+    paint_.push_back({line.from.vector(), along.normalized(), along.norm(), true, false});
+  }
+  for (const FieldArc& arc : field.arcs) {
+    const bool is_circle = arc.sweep >= 2.0 * std::numbers::pi - 1e-9;
+    paint_.push_back({arc.centre.vector(), Eigen::Vector2d::UnitX(), arc.radius, false, is_circle});
+  }
   corner_F_ = field.centre.vector() - half;
   columns_ = static_cast<int>(std::ceil(2.0 * half.x() / kCell));
   rows_ = static_cast<int>(std::ceil(2.0 * half.y() / kCell));
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   primitive_.reserve(cells);
-  distance_.reserve(cells);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector2d middle = corner_F_ + kCell * Eigen::Vector2d(column + 0.5, row + 0.5);
       const auto nearest = nearest_line(field_, Point<Field>::from(middle));
       primitive_.push_back(nearest ? nearest->primitive : std::uint16_t{0});
-      distance_.push_back(nearest ? static_cast<float>(std::abs(nearest->distance)) : 0.0F);
     }
   }
 }
@@ -43,7 +50,28 @@ std::size_t LineMap::cell_of(const Eigen::Vector2d& p_F) const {
 }
 
 NearestLine LineMap::nearest(const Eigen::Vector2d& p_F) const {
-  return line_at(field_, primitive_[cell_of(p_F)], Point<Field>::from(p_F));
+  const std::uint16_t primitive = primitive_[cell_of(p_F)];
+  const Paint& paint = paint_[primitive];
+  const Eigen::Vector2d offset = p_F - paint.start;
+  NearestLine result;
+  result.primitive = primitive;
+  if (paint.is_segment) {
+    // The common case by hand: this runs for every point in every step of a fit.
+    const double along = offset.dot(paint.along);
+    if (along >= 0.0 && along <= paint.length) {
+      result.normal_F = {-paint.along.y(), paint.along.x()};
+      result.closest_F = paint.start + along * paint.along;
+      result.distance = offset.dot(result.normal_F);
+      return result;
+    }
+  } else if (paint.is_circle) {
+    const double range = offset.norm();
+    result.normal_F = range > 0.0 ? Eigen::Vector2d(offset / range) : Eigen::Vector2d::UnitX();
+    result.closest_F = paint.start + paint.length * result.normal_F;
+    result.distance = range - paint.length;
+    return result;
+  }
+  return line_at(field_, primitive, Point<Field>::from(p_F));
 }
 
 }  // namespace teamsight::vision

@@ -26,23 +26,26 @@ class LineMap {
   /// Exact signed distance to the primitive that is nearest to the cell of `p_F`.
   [[nodiscard]] NearestLine nearest(const Eigen::Vector2d& p_F) const;
 
-  /// Unsigned distance at the centre of the cell of `p_F`; outside of the grid that of the
-  /// nearest cell, so too small there. For rating many candidates, not for residuals.
-  [[nodiscard]] float rough_distance(const Eigen::Vector2d& p_F) const {
-    return distance_[cell_of(p_F)];
-  }
-
   [[nodiscard]] const FieldModel& field() const { return field_; }
 
  private:
+  /// A primitive as `nearest` needs it: a segment from `start` along `along`, or an arc about it.
+  struct Paint {
+    Eigen::Vector2d start;
+    Eigen::Vector2d along;  // unit length; segments only
+    double length{0.0};     // of the segment; radius of the arc; m
+    bool is_segment{true};
+    bool is_circle{false};  // the arc goes all the way round
+  };
+
   [[nodiscard]] std::size_t cell_of(const Eigen::Vector2d& p_F) const;
 
   FieldModel field_;
+  std::vector<Paint> paint_;
   Eigen::Vector2d corner_F_;  // of the first cell
   int columns_{0};
   int rows_{0};
   std::vector<std::uint16_t> primitive_;
-  std::vector<float> distance_;
 };
 
 }  // namespace teamsight::vision

@@ -16,6 +16,7 @@ namespace teamsight::vision {
 namespace {
 
 constexpr double kOffCarpetMargin = 0.3;  // m; nearer to the carpet's edge things are walls
+constexpr double kSigmaTilt = 0.0052;     // rad; 0.3 degrees
 
 std::optional<FrameReject> reject_of(const ImageView& image, const CameraParameters& camera) {
   if (image.format != camera.format) return FrameReject::kWrongFormat;
@@ -36,6 +37,14 @@ bool is_on_field(const ObstacleCandidate& obstacle,
   return offset.x() < 0.5 * field.length + beyond && offset.y() < 0.5 * field.width + beyond;
 }
 
+// Where the camera looks from, and how far a robot that stands or drives gently leans.
+HeadTilt head_of(const RayTable& rays) {
+  HeadTilt head;
+  head.eye_height = eye_height(rays).value_or(head.eye_height);
+  head.sigma = Eigen::Vector2d::Constant(kSigmaTilt);
+  return head;
+}
+
 }  // namespace
 
 struct Perception::Tables {
@@ -50,7 +59,8 @@ struct Perception::Tables {
         rules{field.line_width, parameters.scan.min_contrast},
         balls(rays, parameters.mask, model.centre(), perception.ball_radius),
         obstacles({field.line_width, perception.robot_radius}),
-        posture(field) {
+        head(head_of(rays)),
+        posture(field, head) {
     profile.reserve(lines.longest());
     observation.line_points.reserve(kMaxLinePoints);
     observation.line_residuals.reserve(kMaxLinePoints);
@@ -58,7 +68,7 @@ struct Perception::Tables {
   }
 
   void find_lines(const PixelReader& pixels);
-  void locate(const MotionPrior& prior);
+  void locate(const PostureSource& posture_of);
   void find_balls(const PixelReader& pixels);
   void find_obstacles(const PixelReader& pixels);
 
@@ -70,6 +80,7 @@ struct Perception::Tables {
   LineRules rules;
   BallDetector balls;
   ObstacleDetector obstacles;
+  HeadTilt head;
   PostureEstimator posture;
   std::vector<float> profile;
   FrameObservation observation;
@@ -93,15 +104,16 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   observation.light = meter.light();
 }
 
-void Perception::Tables::locate(const MotionPrior& prior) {
-  const PostureResult result = posture.estimate(observation.line_points, prior);
+void Perception::Tables::locate(const PostureSource& posture_of) {
+  const PostureResult result = posture_of(observation.line_points);
   observation.posture = result.estimate;
   observation.searched_globally = result.searched_globally;
   observation.line_residuals.clear();
   observation.line_fits.clear();
   if (result.estimate.status == PostureStatus::kLost) return;
   for (const LinePoint& point : observation.line_points) {
-    const LineResidual residual = line_residual(posture.map(), result.estimate.X_FR, point);
+    const LineResidual residual =
+        line_residual(posture.map(), result.estimate.X_FR, point, result.tilt, head.eye_height);
     observation.line_residuals.push_back(residual.distance);
     observation.line_fits.push_back(is_inlier(residual, result.scale));
   }
@@ -139,10 +151,21 @@ Perception& Perception::operator=(Perception&&) noexcept = default;
 
 Result<const FrameObservation*, FrameReject> Perception::see(const ImageView& image,
                                                              const MotionPrior& prior) {
+  return see_with(image, [&](std::span<const LinePoint> points) {
+    return tables_->posture.estimate(points, prior);
+  });
+}
+
+const HeadTilt& Perception::head() const {
+  return tables_->head;
+}
+
+Result<const FrameObservation*, FrameReject> Perception::see_with(const ImageView& image,
+                                                                  const PostureSource& posture_of) {
   if (const auto reject = reject_of(image, tables_->camera)) return failure(*reject);
   const PixelReader pixels(image);
   tables_->find_lines(pixels);
-  tables_->locate(prior);
+  tables_->locate(posture_of);
   tables_->find_balls(pixels);
   tables_->find_obstacles(pixels);
   return &tables_->observation;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -81,6 +83,17 @@ class Perception {
   ///         and its lines support no posture.
   [[nodiscard]] Result<const FrameObservation*, FrameReject> see(const ImageView& image,
                                                                  const MotionPrior& prior);
+
+  /// Tells where the robot is, given the line points of the frame being looked at.
+  using PostureSource = std::function<PostureResult(std::span<const LinePoint>)>;
+
+  /// The same for whoever follows the robot over time: `posture_of` is asked once, between the
+  /// lines and what stands on them.
+  [[nodiscard]] Result<const FrameObservation*, FrameReject> see_with(
+      const ImageView& image, const PostureSource& posture_of);
+
+  /// Where this camera looks from, and how far its head may lean against the camera file.
+  [[nodiscard]] const HeadTilt& head() const;
 
  private:
   struct Tables;

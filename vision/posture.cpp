@@ -14,6 +14,7 @@ namespace teamsight::vision {
 
 namespace {
 
+constexpr double kFirstWidth = 0.25;  // m, of the kernel: a prior may be that wrong
 constexpr std::size_t kFewestPoints = 15;
 constexpr double kTrackedSupport = 0.7;  // votes per point that make a search unnecessary
 constexpr double kLostInliers = 0.45;    // below this share of inliers nothing is believed
@@ -68,8 +69,9 @@ double half_log_odds_from_side(const Pose<Field, Robot>& X_FR,
   return std::clamp(odds, -kMaxHalfLogOdds, kMaxHalfLogOdds);
 }
 
-PostureEstimator::PostureEstimator(const FieldModel& field)
+PostureEstimator::PostureEstimator(const FieldModel& field, const HeadTilt& tilt)
     : map_(field),
+      tilt_(tilt),
       symmetric_(is_half_turn_symmetric(field)),
       search_(map_, symmetric_) {}
 
@@ -85,13 +87,13 @@ PostureResult PostureEstimator::estimate(std::span<const LinePoint> points,
   bool rival = false;
   bool tracked = false;
   if (has_prior) {
-    best = fitter_.fit(map_, points, *prior.X_FR);
+    best = fitter_.fit(map_, points, {*prior.X_FR, kFirstWidth, tilt_});
     tracked = is_good(best, points.size()) && is_near(best, prior) &&
               best.support >= kTrackedSupport * static_cast<double>(points.size());
   }
   if (!tracked) {
     result.searched_globally = true;
-    const auto found = search_.search(map_, points, fitter_);
+    const auto found = search_.search(map_, points, fitter_, tilt_);
     best = found.front();
     rival = found.size() > 1 && is_good(found[1], points.size()) &&
             found[1].support > kRival * best.support;
@@ -107,6 +109,7 @@ PostureResult PostureEstimator::estimate(std::span<const LinePoint> points,
   estimate.X_FR = best.X_FR;
   estimate.cov = best.cov;
   result.scale = best.scale;
+  result.tilt = best.tilt;
   if (!symmetric_) {
     estimate.half_log_odds = kMaxHalfLogOdds;
   } else if (estimate.half_log_odds < 0.0) {

@@ -33,8 +33,9 @@ struct MotionPrior {
 /// The posture and how it was come by.
 struct PostureResult {
   PostureEstimate estimate;
-  double scale{1.0};              ///< see PostureFit; with it `is_inlier` judges single points
-  bool searched_globally{false};  ///< found without, or against, the prior
+  double scale{1.0};  ///< see PostureFit; with it `is_inlier` judges single points
+  Eigen::Vector2d tilt{Eigen::Vector2d::Zero()};  ///< of the head; roll, pitch; rad
+  bool searched_globally{false};                  ///< found without, or against, the prior
 };
 
 /// Largest |half_log_odds| that line points, priors and start sides can give.
@@ -48,7 +49,8 @@ inline constexpr double kMaxHalfLogOdds = 5.0;
 /// independent. Buffers are the only state. Thread rule: one thread per object.
 class PostureEstimator {
  public:
-  explicit PostureEstimator(const FieldModel& field);
+  /// @param tilt  how far the head may lean in any frame
+  explicit PostureEstimator(const FieldModel& field, const HeadTilt& tilt = {});
 
   /// @param points line points in the order in which they were found (neighbours next to each
   ///               other: their correlation is measured from that)
@@ -59,6 +61,7 @@ class PostureEstimator {
 
  private:
   LineMap map_;
+  HeadTilt tilt_;
   bool symmetric_;
   PostureFitter fitter_;
   PostureSearch search_;

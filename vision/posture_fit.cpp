@@ -2,10 +2,12 @@
 #include "vision/posture_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "geometry/expect.hpp"
 
@@ -13,76 +15,92 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kFirstWidth = 0.25;  // m, of the Geman-McClure kernel
-constexpr double kLastWidth = 0.02;   // m, or 3 sigma
-constexpr double kShrink = 0.7;       // per step
+constexpr double kWidest = 0.25;     // m; farther from the paint a point says nothing
+constexpr double kLastWidth = 0.02;  // m, or 3 sigma
+constexpr double kShrink = 0.7;      // of the kernel, per step
 constexpr double kSigmas = 3.0;
 constexpr int kMaxSteps = 24;
 constexpr double kVoteWidth = 0.08;     // m, of the soft votes that rank candidates
 constexpr double kInlierFloor = 0.05;   // m
-constexpr double kOpenSigma = 0.5;      // m or rad: beyond this a direction counts as open
+constexpr double kObservable = 0.5;     // m or rad: beyond this a direction counts as open
 constexpr double kMadToSigma = 1.4826;  // of a normal distribution
 constexpr double kPriorPoints = 10.0;   // how many points the claimed sigma is worth: kernel width
 constexpr double kClaimPoints = 2.0;    // the same for the covariance
+constexpr double kMostLift = 0.5;       // of a ray's way to the horizon
+constexpr double kKnownTilt = 1e-6;     // rad; a smaller sigma means a tilt that is known
+constexpr std::size_t kLeaders = 150;   // points that lead the way
+constexpr std::size_t kScaleSample = 160;  // points from which a step measures its scale
+constexpr std::size_t kSectors = 8;        // whose errors are compared with those of points
+constexpr double kSectorDoubt = 6.0;       // sectors that the hypothesis "no correlation" is worth
+
+using Row = Eigen::Matrix<double, 5, 1>;
 
 double width_of(const LineResidual& residual, double width, double scale) {
   return std::max({width, kLastWidth, kSigmas * scale * std::sqrt(residual.var)});
 }
 
-// The correlation of neighbours along the scan order, as a factor on the covariance: N / N_eff of a
-// first order autoregression. Measured among inliers only; never below 1.
-double correlation_inflation(std::span<const LineResidual> residuals, double scale) {
-  double product = 0.0;
-  double square = 0.0;
-  std::size_t pairs = 0;
-  for (std::size_t i = 1; i < residuals.size(); ++i) {
-    const LineResidual& a = residuals[i - 1];
-    const LineResidual& b = residuals[i];
-    if (!is_inlier(a, scale) || !is_inlier(b, scale)) continue;
-    product += a.distance * b.distance / std::sqrt(a.var * b.var);
-    square += 0.5 * (a.distance * a.distance / a.var + b.distance * b.distance / b.var);
-    ++pairs;
-  }
-  if (pairs < 10 || square <= 0.0) return 1.0;
-  // An estimate from n pairs is good to 1 / sqrt(n): a smaller one is no evidence.
-  const double rho = std::min(product / square, 0.95);
-  if (rho < 2.0 / std::sqrt(static_cast<double>(pairs))) return 1.0;
-  return (1.0 + rho) / (1.0 - rho);
+Row row_of(const LineResidual& residual) {
+  Row row;
+  row << residual.jacobian, residual.tilt_jacobian;
+  return row;
+}
+
+std::size_t sector_of(const Point<Robot>& p_R) {
+  const double turn = std::atan2(p_R.y, p_R.x) / (2.0 * std::numbers::pi) + 0.5;
+  return std::min(static_cast<std::size_t>(turn * kSectors), kSectors - 1);
+}
+
+Eigen::Vector2d tilt_info(const HeadTilt& tilt) {
+  return tilt.sigma.cwiseMax(kKnownTilt).cwiseAbs2().cwiseInverse();
 }
 
 }  // namespace
 
 bool is_inlier(const LineResidual& residual, double scale) {
   const double gate = std::max(kInlierFloor, kSigmas * scale * std::sqrt(residual.var));
-  return std::abs(residual.distance) < std::min(gate, kFirstWidth);
+  return std::abs(residual.distance) < std::min(gate, kWidest);
 }
 
 LineResidual line_residual(const LineMap& map,
                            const Pose<Field, Robot>& X_FR,
-                           const LinePoint& point) {
+                           const LinePoint& point,
+                           const Eigen::Vector2d& tilt,
+                           double eye_height) {
   const Eigen::Matrix2d R_FR = X_FR.rotation();
-  const Eigen::Vector2d p_RL_F = R_FR * point.p_R.vector();
+  const Eigen::Vector2d p_R = point.p_R.vector();
+  const double lift = (tilt.x() * p_R.y() - tilt.y() * p_R.x()) / eye_height;
+  // No ray that met the floor rises to the horizon.
+  const double stretch = 1.0 / (1.0 - std::min(lift, kMostLift));
+  const Eigen::Vector2d seen_F = R_FR * p_R;
+  const Eigen::Vector2d p_RL_F = stretch * seen_F;
   const NearestLine nearest = map.nearest(X_FR.origin().vector() + p_RL_F);
   const Eigen::Vector2d& n = nearest.normal_F;
   const Eigen::Vector2d n_R = R_FR.transpose() * n;
   LineResidual result;
   result.distance = nearest.distance;
   result.jacobian = {n.x(), n.y(), n.dot(Eigen::Vector2d(-p_RL_F.y(), p_RL_F.x()))};
+  result.tilt_jacobian =
+      stretch * stretch * n.dot(seen_F) / eye_height * Eigen::Vector2d(p_R.y(), -p_R.x());
   result.var = n_R.dot(point.cov_R * n_R);
   return result;
 }
 
 void PostureFitter::look(const LineMap& map,
                          std::span<const LinePoint> points,
-                         const Pose<Field, Robot>& X_FR) {
+                         std::size_t stride,
+                         const PostureFit& fit) {
   residuals_.clear();
-  for (const LinePoint& point : points) residuals_.push_back(line_residual(map, X_FR, point));
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    residuals_.push_back(line_residual(map, fit.X_FR, points[i], fit.tilt, tilt_.eye_height));
+  }
 }
 
-double PostureFitter::measure_scale(std::span<const LineResidual> residuals) {
+double PostureFitter::measure_scale() {
   sorted_.clear();
-  for (const LineResidual& r : residuals) {
-    if (std::abs(r.distance) < kFirstWidth) {
+  const std::size_t stride = 1 + residuals_.size() / kScaleSample;
+  for (std::size_t i = 0; i < residuals_.size(); i += stride) {
+    const LineResidual& r = residuals_[i];
+    if (std::abs(r.distance) < kWidest) {
       sorted_.push_back(std::abs(r.distance) / std::sqrt(r.var));
     }
   }
@@ -94,74 +112,129 @@ double PostureFitter::measure_scale(std::span<const LineResidual> residuals) {
   return std::sqrt((kPriorPoints + count * measured * measured) / (kPriorPoints + count));
 }
 
-bool PostureFitter::step(Pose<Field, Robot>& X_FR, double width, double scale) const {
-  Eigen::Matrix3d info = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+bool PostureFitter::step(PostureFit& fit, double width) const {
+  Information info = Information::Zero();
+  Row gradient = Row::Zero();
+  const double precision = 1.0 / (fit.scale * fit.scale);
   for (const LineResidual& r : residuals_) {
-    const double u = r.distance / width_of(r, width, scale);
-    const double weight = 1.0 / ((1.0 + u * u) * (1.0 + u * u) * r.var);
-    info += weight * r.jacobian * r.jacobian.transpose();
-    gradient += weight * r.distance * r.jacobian;
+    const double u = r.distance / width_of(r, width, fit.scale);
+    const double weight = precision / ((1.0 + u * u) * (1.0 + u * u) * r.var);
+    const Row row = row_of(r);
+    info.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    gradient += weight * r.distance * row;
   }
+  const Eigen::Vector2d held = tilt_info(tilt_);
+  info.diagonal().tail<2>() += held;
+  gradient.tail<2>() += held.cwiseProduct(fit.tilt - tilt_.mean);
   // A little damping keeps an open direction where it is instead of throwing the robot off.
-  info.diagonal() += Eigen::Vector3d::Constant(1.0);
-  const Eigen::Vector3d change = info.ldlt().solve(-gradient);
+  info.diagonal().head<3>() += Eigen::Vector3d::Constant(1.0);
+  const Row change = info.selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
   if (!change.allFinite()) return false;
-  const double limit = std::min(1.0, 0.5 / std::max(change.head<2>().norm(), 1e-12));
-  X_FR = {X_FR.x() + limit * change.x(),
-          X_FR.y() + limit * change.y(),
-          X_FR.theta() + std::clamp(limit * change.z(), -0.5, 0.5)};
-  return change.head<2>().norm() > 1e-5 || std::abs(change.z()) > 1e-5;
+  const double way = change.head<2>().norm();
+  const double limit = std::min(1.0, 0.5 / std::max(way, 1e-12));
+  fit.X_FR = {fit.X_FR.x() + limit * change(0),
+              fit.X_FR.y() + limit * change(1),
+              fit.X_FR.theta() + std::clamp(limit * change(2), -0.5, 0.5)};
+  fit.tilt += limit * change.tail<2>();
+  return way > 1e-5 || std::abs(change(2)) > 1e-5;
 }
 
-void PostureFitter::judge(PostureFit& fit) {
-  Eigen::Matrix3d info = Eigen::Matrix3d::Zero();
+double PostureFitter::measure_correlation(std::span<const LinePoint> points,
+                                          const PostureFit& fit) const {
+  std::array<Eigen::Vector3d, kSectors> sums{};
+  sums.fill(Eigen::Vector3d::Zero());
+  Eigen::Matrix3d single = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < residuals_.size(); ++i) {
+    const LineResidual& r = residuals_[i];
+    const double u2 = std::pow(r.distance / width_of(r, 0.0, fit.scale), 2);
+    const double psi = r.distance / std::pow(1.0 + u2, 2);
+    const Eigen::Vector3d pull = psi / r.var * r.jacobian;
+    single += pull * pull.transpose();
+    sums[sector_of(points[i].p_R)] += pull;
+  }
+  Eigen::Matrix3d grouped = Eigen::Matrix3d::Zero();
+  double sectors = 0.0;
+  for (const Eigen::Vector3d& sum : sums) {
+    grouped += sum * sum.transpose();
+    if (sum.squaredNorm() > 0.0) sectors += 1.0;
+  }
+  if (sectors < 4.0) return 1.0;
+  // The fit made the pulls sum up to zero: one sector's worth of freedom is gone.
+  return sectors / (sectors - 1.0) * (fit.cov * grouped).trace() /
+         std::max((fit.cov * single).trace(), 1e-12);
+}
+
+void PostureFitter::spread(const Information& info, double variance, PostureFit& fit) const {
+  Information total = info / variance;
+  total.diagonal().head<3>() += Eigen::Vector3d::Constant(1.0 / (kOpenSigma * kOpenSigma));
+  total.diagonal().tail<2>() += tilt_info(tilt_);
+  const Information cov = total.llt().solve(Information::Identity());
+  fit.cov = cov.topLeftCorner<3, 3>();
+  fit.cov = 0.5 * (fit.cov + fit.cov.transpose()).eval();
+  fit.var_tilt = cov.diagonal().tail<2>();
+}
+
+void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
+  Information info = Information::Zero();
   double sum_square = 0.0;
   double sum_slope = 0.0;
+  double sum_weight = 0.0;
   std::size_t inliers = 0;
   const auto count = static_cast<double>(residuals_.size());
   for (const LineResidual& r : residuals_) {
     const double c = width_of(r, 0.0, fit.scale);
     const double u2 = std::pow(r.distance / c, 2);
     // psi and its slope of the kernel, of residuals in units of the claimed sigma.
-    const double psi = r.distance / std::pow(1.0 + u2, 2);
+    const double weight = 1.0 / ((1.0 + u2) * (1.0 + u2));
+    const double psi = r.distance * weight;
     sum_square += psi * psi / r.var;
-    sum_slope += (1.0 - 3.0 * u2) / std::pow(1.0 + u2, 3);
-    info += r.jacobian * r.jacobian.transpose() / r.var;
+    sum_slope += (1.0 - 3.0 * u2) * weight / (1.0 + u2);
+    sum_weight += weight;
+    info.selfadjointView<Eigen::Lower>().rankUpdate(row_of(r), weight / r.var);
     if (is_inlier(r, fit.scale)) ++inliers;
     fit.support += 1.0 / (1.0 + std::pow(r.distance / kVoteWidth, 2));
   }
   fit.inlier_ratio = static_cast<double>(inliers) / count;
   if (sum_slope < 3.5) return;
-  // Sandwich of the M-estimator, with the three degrees of freedom that the fit used up.
-  const double mean_slope = sum_slope / count;
-  const double measured = sum_square / ((count - 3.0) * mean_slope * mean_slope);
-  const double variance = (count * measured + kClaimPoints) / (count + kClaimPoints);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(info);
-  if (eigen.eigenvalues().minCoeff() <= 1e-9) return;
-  const double inflation = correlation_inflation(residuals_, fit.scale);
-  fit.cov = variance * inflation * info.inverse();
-  fit.cov = 0.5 * (fit.cov + fit.cov.transpose()).eval();
-  fit.observable = fit.cov.diagonal().maxCoeff() < kOpenSigma * kOpenSigma;
+  info.triangularView<Eigen::StrictlyUpper>() = info.transpose();
+  // Sandwich of the M-estimator over the weighted points (an outlier far out has a long lever, but
+  // no weight), with the three degrees of freedom that the fit used up.
+  const double slope = sum_slope / sum_weight;
+  const double measured = sum_square / (std::max(sum_weight - 3.0, 1.0) * slope * slope);
+  const double variance = (sum_weight * measured + kClaimPoints) / (sum_weight + kClaimPoints);
+  spread(info, variance, fit);
+  fit.correlation = measure_correlation(points, fit);
+  // A ratio from so few sectors is uncertain: drawn towards "no correlation".
+  const double alone = (kSectors * fit.correlation + kSectorDoubt) / (kSectors + kSectorDoubt);
+  const double known = known_correlation_ > 0.0 ? known_correlation_ : alone;
+  spread(info, variance * std::max(1.0, known), fit);
+  fit.observable = fit.cov.diagonal().maxCoeff() < kObservable * kObservable;
 }
 
 PostureFit PostureFitter::fit(const LineMap& map,
                               std::span<const LinePoint> points,
-                              const Pose<Field, Robot>& start) {
+                              const FitStart& start) {
   TEAMSIGHT_EXPECT(!points.empty());
+  tilt_ = start.tilt;
+  known_correlation_ = start.correlation;
   PostureFit fit;
-  fit.X_FR = start;
-  double width = kFirstWidth;
+  fit.X_FR = start.X_FR;
+  fit.tilt = tilt_.mean;
+  double width = std::min(start.width, kWidest);
+  // While the kernel is wide, some of the points lead as well as all of them.
+  std::size_t stride = 1 + points.size() / kLeaders;
   for (int i = 0; i < kMaxSteps; ++i) {
-    look(map, points, fit.X_FR);
-    fit.scale = measure_scale(residuals_);
-    const bool moved = step(fit.X_FR, width, fit.scale);
-    if (!moved && width < kLastWidth) break;
+    look(map, points, stride, fit);
+    fit.scale = measure_scale();
+    const bool moved = step(fit, width);
+    const bool is_narrow = width < kLastWidth;
+    if (!moved && is_narrow && stride == 1) break;
+    if (is_narrow) stride = 1;
     width *= kShrink;
   }
-  look(map, points, fit.X_FR);
-  fit.scale = measure_scale(residuals_);
-  judge(fit);
+  look(map, points, 1, fit);
+  fit.scale = measure_scale();
+  judge(points, fit);
   return fit;
 }
 

@@ -1,6 +1,7 @@
 // vision/posture_fit.hpp: robust Gauss-Newton of line points onto the painted lines.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,15 +16,30 @@ namespace teamsight::vision {
 
 /// How one line point disagrees with the painted field.
 struct LineResidual {
-  double distance{0.0};      ///< signed, to the nearest paint; m
-  Eigen::Vector3d jacobian;  ///< d distance / d (x, y, theta)
-  double var{1.0};           ///< of the point across that paint, as its detector claims; m^2
+  double distance{0.0};           ///< signed, to the nearest paint; m
+  Eigen::Vector3d jacobian;       ///< d distance / d (x, y, theta)
+  Eigen::Vector2d tilt_jacobian;  ///< d distance / d (roll, pitch); m/rad
+  double var{1.0};                ///< of the point across that paint, as its detector claims; m^2
 };
 
-/// The residual of one point under a posture [Lauer05, with exact distances].
+/// How far the head leans against the calibrated camera, about R's x (roll) and y (pitch) axes.
+///
+/// The robot leans about its foot, so a floor point that the calibrated camera puts at p lies at
+/// p / (1 - (roll p_y - pitch p_x) / eye_height). The first order alone would be 20 mm wrong at 6 m
+/// under half a degree.
+struct HeadTilt {
+  double eye_height{0.8};                          ///< of the viewpoint over the floor; m
+  Eigen::Vector2d mean{Eigen::Vector2d::Zero()};   ///< expected (roll, pitch); rad
+  Eigen::Vector2d sigma{Eigen::Vector2d::Zero()};  ///< of the expectation; 0: known; rad
+};
+
+/// The residual of one point under a posture [Lauer05, with exact distances] and a tilt (roll,
+/// pitch; rad).
 [[nodiscard]] LineResidual line_residual(const LineMap& map,
                                          const Pose<Field, Robot>& X_FR,
-                                         const LinePoint& point);
+                                         const LinePoint& point,
+                                         const Eigen::Vector2d& tilt = Eigen::Vector2d::Zero(),
+                                         double eye_height = 0.8);
 
 /// Whether a point lies on the paint, as far as its uncertainty lets one tell: within three sigma,
 /// but at least 50 mm (a line is wider) and at most 250 mm.
@@ -34,32 +50,69 @@ struct LineResidual {
 /// What a fit found.
 struct PostureFit {
   Pose<Field, Robot> X_FR;
-  Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< m, m, rad; meaningless unless observable
+  /// m, m, rad. A direction that the points leave open has a sigma of kOpenSigma.
+  Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};
   bool observable{false};  ///< the lines hold the robot in all three directions
   double scale{1.0};       ///< true sigma of the points over the claimed one
   double inlier_ratio{0.0};
   double support{0.0};  ///< sum of soft votes, at most the number of points; ranks candidates
+  /// Variance of the errors of whole sectors of the image over that of independent points:
+  /// N / N_eff as this frame alone says. Above 1 where the camera's map is wrong; `cov` is inflated
+  /// by it, drawn towards 1, or by what FitStart knows better.
+  double correlation{1.0};
+  Eigen::Vector2d tilt{Eigen::Vector2d::Zero()};      ///< roll, pitch; rad
+  Eigen::Vector2d var_tilt{Eigen::Vector2d::Zero()};  ///< rad^2
+};
+
+/// What the points' independent errors alone make of a posture's covariance.
+[[nodiscard]] inline Eigen::Matrix3d independent_part(const PostureFit& fit, double correlation) {
+  return fit.cov / std::max(1.0, correlation);
+}
+
+/// The sigma of a direction that the points leave open; m or rad.
+inline constexpr double kOpenSigma = 10.0;
+
+/// How a fit begins.
+struct FitStart {
+  Pose<Field, Robot> X_FR;
+  double width{0.25};  ///< of the first kernel: how far from the paint a point may start; m
+  HeadTilt tilt{};
+  /// N / N_eff as known from earlier frames; 0: measured from this one alone.
+  double correlation{0.0};
 };
 
 /// Moves a posture until the line points lie on the lines.
 ///
-/// Geman-McClure weights, their width annealed from 0.25 m to max(20 mm, 3 sigma), sigma measured
-/// from the residuals. The covariance is the M-estimator's, inflated by the correlation of
-/// neighbouring residuals. Buffers are the only state.
+/// Geman-McClure weights, their width annealed to max(20 mm, 3 sigma), sigma measured from the
+/// residuals. The head's tilt is fitted too, held by its expectation. The covariance is the
+/// M-estimator's (a sandwich), the tilt marginalised, inflated by the correlation of points in the
+/// same sector. Buffers are the only state.
 class PostureFitter {
  public:
-  /// @param start near the answer: within some 0.3 m and 10 degrees
+  /// @param start near the answer: within some 0.3 m and 10 degrees for a width of 0.25 m
   /// @pre points is not empty
   [[nodiscard]] PostureFit fit(const LineMap& map,
                                std::span<const LinePoint> points,
-                               const Pose<Field, Robot>& start);
+                               const FitStart& start);
 
  private:
-  [[nodiscard]] double measure_scale(std::span<const LineResidual> residuals);
-  void look(const LineMap& map, std::span<const LinePoint> points, const Pose<Field, Robot>& X_FR);
-  [[nodiscard]] bool step(Pose<Field, Robot>& X_FR, double width, double scale) const;
-  void judge(PostureFit& fit);
+  using Information = Eigen::Matrix<double, 5, 5>;
 
+  [[nodiscard]] double measure_scale();
+  /// Residuals of every `stride`-th point.
+  void look(const LineMap& map,
+            std::span<const LinePoint> points,
+            std::size_t stride,
+            const PostureFit& fit);
+  [[nodiscard]] bool step(PostureFit& fit, double width) const;
+  void judge(std::span<const LinePoint> points, PostureFit& fit);
+  /// Sets the covariances. @param info of the inliers, in units of the claimed sigma
+  void spread(const Information& info, double variance, PostureFit& fit) const;
+  [[nodiscard]] double measure_correlation(std::span<const LinePoint> points,
+                                           const PostureFit& fit) const;
+
+  HeadTilt tilt_;
+  double known_correlation_{0.0};
   std::vector<LineResidual> residuals_;
   std::vector<double> sorted_;
 };

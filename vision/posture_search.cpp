@@ -12,14 +12,17 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kGridStep = 0.5;            // m
-constexpr int kHeadings = 36;                // 10 degrees
-constexpr std::size_t kSamples = 60;         // points used for rating
-constexpr std::size_t kRefined = 40;         // places refined with the sample
-constexpr std::size_t kFinished = 4;         // of those, finished with all points
-constexpr float kSquareWidth = 0.3F * 0.3F;  // m^2, of a vote: the grid leaves errors that wide
-constexpr double kSamePlace = 0.25;          // m
-constexpr double kSameHeading = 0.2;         // rad
+constexpr double kGridStep = 0.5;           // m
+constexpr int kHeadings = 36;               // 10 degrees
+constexpr std::size_t kSamples = 90;        // points used for rating
+constexpr std::size_t kRefined = 60;        // places refined with the sample
+constexpr std::size_t kFinished = 6;        // of those, finished with all points
+constexpr double kSquareWidth = 0.3 * 0.3;  // m^2, of a vote: the grid leaves errors that wide
+constexpr double kVoteCell = 0.1;           // m
+constexpr double kVoteMargin = 2.0;         // m beyond the carpet; farther out a vote is nothing
+constexpr double kFinishWidth = 0.25;       // m, of the first kernel with all points
+constexpr double kSamePlace = 0.25;         // m
+constexpr double kSameHeading = 0.2;        // rad
 
 bool same(const Pose<Field, Robot>& a, const Pose<Field, Robot>& b) {
   return (a.origin().vector() - b.origin().vector()).norm() < kSamePlace &&
@@ -31,18 +34,6 @@ void take_sample(std::span<const LinePoint> points, std::vector<LinePoint>& samp
   sample.clear();
   const std::size_t count = std::min(points.size(), kSamples);
   for (std::size_t i = 0; i < count; ++i) sample.push_back(points[i * points.size() / count]);
-}
-
-// How well points (turned into F) lie on paint when the robot stands at `place`.
-float votes_at(const LineMap& map,
-               const Eigen::Vector2d& place,
-               const std::vector<Eigen::Vector2d>& turned) {
-  float votes = 0.0F;
-  for (const Eigen::Vector2d& p : turned) {
-    const float d = map.rough_distance(place + p);
-    votes += kSquareWidth / (kSquareWidth + d * d);
-  }
-  return votes;
 }
 
 }  // namespace
@@ -60,25 +51,60 @@ PostureSearch::PostureSearch(const LineMap& map, bool half) : half_(half) {
       places_.emplace_back(field.centre.vector() + place);
     }
   }
+  make_votes(map);
   turned_.reserve(kSamples);
   sample_.reserve(kSamples);
   found_.reserve(kRefined);
   rated_.reserve(places_.size() * kHeadings);
 }
 
-void PostureSearch::rate(const LineMap& map, std::span<const LinePoint> points) {
+void PostureSearch::make_votes(const LineMap& map) {
+  const FieldModel& field = map.field();
+  const Eigen::Vector2d half{0.5 * field.length + field.surround + kVoteMargin,
+                             0.5 * field.width + field.surround + kVoteMargin};
+  const Eigen::Vector2d corner = field.centre.vector() - half;
+  corner_ = corner.cast<float>();
+  columns_ = static_cast<int>(2.0 * half.x() / kVoteCell);
+  rows_ = static_cast<int>(2.0 * half.y() / kVoteCell);
+  votes_.clear();
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const Eigen::Vector2d middle = corner + kVoteCell * Eigen::Vector2d(column + 0.5, row + 0.5);
+      const double d = map.nearest(middle).distance;
+      votes_.push_back(static_cast<std::uint8_t>(255.0 * kSquareWidth / (kSquareWidth + d * d)));
+    }
+  }
+}
+
+int PostureSearch::votes_at(float x, float y) const {
+  int votes = 0;
+  for (const Eigen::Vector2f& p : turned_) {
+    const auto column = static_cast<int>(x + p.x());
+    const auto row = static_cast<int>(y + p.y());
+    // One comparison for both ends: what is negative becomes very large.
+    const bool is_inside = static_cast<unsigned>(column) < static_cast<unsigned>(columns_) &&
+                           static_cast<unsigned>(row) < static_cast<unsigned>(rows_);
+    if (is_inside) votes += votes_[static_cast<std::size_t>(row * columns_ + column)];
+  }
+  return votes;
+}
+
+void PostureSearch::rate(std::span<const LinePoint> points) {
+  constexpr auto kCellsPerMetre = static_cast<float>(1.0 / kVoteCell);
   rated_.clear();
   for (int heading = 0; heading < kHeadings; ++heading) {
     const double theta = 2.0 * std::numbers::pi * heading / kHeadings;
     const Eigen::Matrix2d R_FR = Pose<Field, Robot>(0.0, 0.0, theta).rotation();
     turned_.clear();
-    for (const LinePoint& point : points) turned_.emplace_back(R_FR * point.p_R.vector());
+    for (const LinePoint& point : points) {
+      turned_.emplace_back((R_FR * point.p_R.vector()).cast<float>() * kCellsPerMetre);
+    }
     for (const Eigen::Vector2d& place : places_) {
-      const float votes = votes_at(map, place, turned_);
-      rated_.push_back({static_cast<float>(place.x()),
-                        static_cast<float>(place.y()),
-                        static_cast<float>(theta),
-                        votes});
+      const auto x = static_cast<float>(place.x());
+      const auto y = static_cast<float>(place.y());
+      const int votes =
+          votes_at((x - corner_.x()) * kCellsPerMetre, (y - corner_.y()) * kCellsPerMetre);
+      rated_.push_back({x, y, static_cast<float>(theta), static_cast<float>(votes)});
     }
   }
 }
@@ -96,7 +122,8 @@ void PostureSearch::merge(const PostureFit& fit, const Point<Field>& centre) {
 
 std::span<const PostureFit> PostureSearch::search(const LineMap& map,
                                                   std::span<const LinePoint> points,
-                                                  PostureFitter& fitter) {
+                                                  PostureFitter& fitter,
+                                                  const HeadTilt& tilt) {
   found_.clear();
   if (points.empty()) return found_;
   const Point<Field>& centre = map.field().centre;
@@ -104,7 +131,7 @@ std::span<const PostureFit> PostureSearch::search(const LineMap& map,
     return a.support > b.support;
   };
   take_sample(points, sample_);
-  rate(map, sample_);
+  rate(sample_);
   const std::size_t refined = std::min(kRefined, rated_.size());
   std::partial_sort(rated_.begin(),
                     rated_.begin() + static_cast<std::ptrdiff_t>(refined),
@@ -112,12 +139,10 @@ std::span<const PostureFit> PostureSearch::search(const LineMap& map,
                     [](const Place& a, const Place& b) { return a.votes > b.votes; });
   for (std::size_t i = 0; i < refined; ++i) {
     const Place& place = rated_[i];
-    merge(fitter.fit(map,
-                     sample_,
-                     {static_cast<double>(place.x),
-                      static_cast<double>(place.y),
-                      static_cast<double>(place.theta)}),
-          centre);
+    const Pose<Field, Robot> start{static_cast<double>(place.x),
+                                   static_cast<double>(place.y),
+                                   static_cast<double>(place.theta)};
+    merge(fitter.fit(map, sample_, {start}), centre);
   }
   std::ranges::sort(found_, best_first);
   found_.resize(std::min(found_.size(), kFinished));
@@ -126,7 +151,7 @@ std::span<const PostureFit> PostureSearch::search(const LineMap& map,
   std::copy(found_.begin(), found_.end(), rough.begin());
   found_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    merge(fitter.fit(map, points, rough.at(i).X_FR), centre);
+    merge(fitter.fit(map, points, {rough.at(i).X_FR, kFinishWidth, tilt}), centre);
   }
   std::ranges::sort(found_, best_first);
   return found_;

@@ -82,4 +82,17 @@ Eigen::Vector2f RayTable::step_along_v(std::uint32_t u, std::uint32_t v) const {
       at(u, v), v + 1 < height_ ? at(u, v + 1) : kBlind, v > 0 ? at(u, v - 1) : kBlind);
 }
 
+std::optional<double> eye_height(const RayTable& rays) {
+  double sum = 0.0;
+  double count = 0.0;
+  const std::size_t pixels = std::size_t{rays.width()} * rays.height();
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (!rays[i].sees_floor()) continue;
+    sum += static_cast<double>(rays[i].origin_z);
+    count += 1.0;
+  }
+  if (count == 0.0) return std::nullopt;
+  return sum / count;
+}
+
 }  // namespace teamsight::vision

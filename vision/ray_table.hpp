@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -59,5 +60,10 @@ class RayTable {
   std::uint32_t height_;
   std::vector<PixelRay> rays_;
 };
+
+/// The mean height over the floor from which the pixels look that see floor; m.
+///
+/// @return nothing if no pixel sees floor
+[[nodiscard]] std::optional<double> eye_height(const RayTable& rays);
 
 }  // namespace teamsight::vision

@@ -78,7 +78,7 @@ TEST_F(KasselFrames, StandsOnTheCentreMarkInImage2WithoutAPrior) {
   const PostureEstimate posture = posture_in(perception, 2, {});
 
   EXPECT_NE(posture.status, PostureStatus::kLost);
-  EXPECT_LT(posture.X_FR.origin().vector().norm(), 0.10);
+  EXPECT_LT(posture.X_FR.origin().vector().norm(), 0.05);
 }
 
 TEST_F(KasselFrames, StandsOnTheCentreMarkInImage2FromTwentyRandomPriors) {
