@@ -1,0 +1,63 @@
+// vision/localisation/half_odds.cpp: likelihood ratios of directions.
+#include "vision/localisation/half_odds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/angle.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr double kCompassFails = 0.05;
+constexpr double kGoalIsOther = 0.1;
+constexpr double kLeastSigma = 0.05;  // rad; nothing that tells halves apart needs to be better
+
+// Log-likelihood of an angular gap: normal, or with probability `fails` from anywhere.
+double log_likelihood(double gap, double sigma, double fails) {
+  const double s = std::max(sigma, kLeastSigma);
+  const double normal =
+      std::exp(-0.5 * gap * gap / (s * s)) / (s * std::sqrt(2.0 * std::numbers::pi));
+  return std::log((1.0 - fails) * normal + fails / (2.0 * std::numbers::pi));
+}
+
+// How far a goal of that colour is from where it was seen, in rad; pi if the field has none.
+double gap_to_goal(const Pose<Field, Robot>& X_FR,
+                   const FieldModel& field,
+                   const GoalSighting& seen) {
+  double least = std::numbers::pi;
+  for (const Goal& goal : field.goals) {
+    if (goal.colour != seen.colour) continue;
+    const Eigen::Vector2d middle = 0.5 * (goal.left_post.vector() + goal.right_post.vector());
+    const Point<Robot> p_R = X_FR.inverse() * Point<Field>::from(middle);
+    const double gap = std::abs(angle_difference(std::atan2(p_R.y, p_R.x), seen.azimuth));
+    least = std::min(least, gap);
+  }
+  return least;
+}
+
+}  // namespace
+
+double half_log_odds_from_compass(const Pose<Field, Robot>& X_FR, const CompassReading& compass) {
+  const double gap = angle_difference(X_FR.theta(), compass.heading);
+  return log_likelihood(gap, compass.sigma, kCompassFails) -
+         log_likelihood(wrap_angle(gap + std::numbers::pi), compass.sigma, kCompassFails);
+}
+
+double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
+                                const FieldModel& field,
+                                std::span<const GoalSighting> goals) {
+  const Pose<Field, Robot> image = mirrored(X_FR, field.centre);
+  double odds = 0.0;
+  for (const GoalSighting& goal : goals) {
+    const bool tells = goal.colour == GoalColour::kBlue || goal.colour == GoalColour::kYellow;
+    if (!tells || !std::isfinite(goal.azimuth) || !std::isfinite(goal.sigma)) continue;
+    odds += log_likelihood(gap_to_goal(X_FR, field, goal), goal.sigma, kGoalIsOther) -
+            log_likelihood(gap_to_goal(image, field, goal), goal.sigma, kGoalIsOther);
+  }
+  return odds;
+}
+
+}  // namespace teamsight::vision

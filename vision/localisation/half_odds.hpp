@@ -1,0 +1,40 @@
+// vision/localisation/half_odds.hpp: which of the two images of a posture is the right one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "geometry/field_model.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/time.hpp"
+
+namespace teamsight::vision {
+
+/// A heading measured against something outside, such as the magnetic field.
+struct CompassReading {
+  HostTime stamp{};
+  double heading{0.0};  ///< of R's x axis in F; rad
+  double sigma{0.3};    ///< rad
+};
+
+/// A goal of a known colour, as a camera sees it.
+struct GoalSighting {
+  GoalColour colour{GoalColour::kNone};
+  double azimuth{0.0};  ///< of its middle in R; rad
+  double sigma{0.1};    ///< rad
+};
+
+/// Log-odds that `X_FR` is right rather than its mirror image, from one compass reading. One
+/// reading in twenty is taken to say nothing: motors have magnets.
+[[nodiscard]] double half_log_odds_from_compass(const Pose<Field, Robot>& X_FR,
+                                                const CompassReading& compass);
+
+/// The same from goals whose colours the field tells apart; 0 where it does not. One sighting in
+/// ten is taken to be something else of that colour.
+[[nodiscard]] double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
+                                              const FieldModel& field,
+                                              std::span<const GoalSighting> goals);
+
+}  // namespace teamsight::vision
