@@ -41,8 +41,10 @@ const std::vector<Layer> kLayers = {
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
                          "sim/match/", "sim/render/", "agent/frame_stream.hpp"}},  // the pipe's format
     {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",
-                         "recording/"}},
+                         "recording/", "bench/locate_score/"}},  // `score` counts with it
     {"examples/",       {"geometry/", "client/"}},
+    {"bench/locate_rivals/", {"geometry/", "vision/"}},
+    {"bench/locate_score/",  {"geometry/", "vision/", "sim/match/", "sim/render/", "bench/locate_rivals/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/",
                          "client/", "sim/match/", "sim/render/"}},
     {"tests/",          {""}},  // everything

@@ -1,0 +1,232 @@
+// bench/locate_score/cases.cpp: single looks: noise, hardware, faults.
+#include "bench/locate_score/cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "bench/locate_score/methods.hpp"
+#include "bench/locate_score/rendered_view.hpp"
+
+namespace teamsight::locate_score {
+
+namespace {
+
+constexpr double kMargin = 0.3;  // m, of the poses from the outer lines
+constexpr std::size_t kRobots = 10;
+constexpr std::size_t kFewestOfAPart = 200;
+constexpr double kFaultRange = 6.0;  // m, at which a bend is given
+
+Pose<Field, Robot> draw_prior(const Pose<Field, Robot>& truth, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return {truth.x() + kPriorSigma * normal(random),
+          truth.y() + kPriorSigma * normal(random),
+          truth.theta() + kPriorSigmaTurn * normal(random)};
+}
+
+/// What is done to the line points of one frame, given the truth.
+using Spoil =
+    std::function<void(std::vector<vision::LinePoint>&, const Pose<Field, Robot>&, std::mt19937&)>;
+
+struct Plan {
+  std::size_t poses{0};
+  int robots{0};
+  bool has_glare{false};
+  bool with_bound{false};
+  Spoil spoil{};
+};
+
+std::vector<Point<Field>> draw_robots(const Plan& plan,
+                                      const Pose<Field, Robot>& truth,
+                                      std::mt19937& random) {
+  std::uniform_real_distribution<double> distance(0.7, 4.0);
+  std::uniform_real_distribution<double> azimuth(-std::numbers::pi, std::numbers::pi);
+  std::vector<Point<Field>> robots;
+  for (int i = 0; i < plan.robots; ++i) {
+    const double r = distance(random);
+    const double a = azimuth(random);
+    robots.push_back(truth * Point<Robot>{r * std::cos(a), r * std::sin(a)});
+  }
+  return robots;
+}
+
+void play(const Plan& plan,
+          RenderedView& view,
+          const FieldModel& field,
+          Methods& methods,
+          std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<vision::LinePoint> points;
+  for (std::size_t i = 0; i < plan.poses; ++i) {
+    const Pose<Field, Robot> truth = draw_pose(field, kMargin, random);
+    view.draw(truth, draw_robots(plan, truth, random));
+    if (plan.has_glare) {
+      const auto image = view.image();
+      view.blind({unit(random) * image.width_px, unit(random) * image.height_px, 60.0});
+    }
+    const auto seen = view.line_points();
+    points.assign(seen.begin(), seen.end());
+    if (plan.spoil) plan.spoil(points, truth, random);
+    methods.ask({truth, draw_prior(truth, random), points}, plan.with_bound);
+  }
+}
+
+// The camera file is the truth, and the tracker is told so.
+void be_exact(vision::LocalisationParameters& parameters) {
+  parameters.sigma_calibration = 1e-5;
+  parameters.sigma_calibration_heading = 1e-5;
+}
+
+vision::LocalisationParameters parameters_for(const RenderedView& view, bool is_exact) {
+  vision::LocalisationParameters parameters;
+  parameters.tilt = view.head();
+  if (is_exact) be_exact(parameters);
+  return parameters;
+}
+
+// Hides paint metre by metre, by chance: the whole of a metre or nothing of it.
+Spoil hide(double share) {
+  return [share](auto& points, const Pose<Field, Robot>& truth, std::mt19937& random) {
+    const auto salt = static_cast<std::uint32_t>(random());
+    std::erase_if(points, [&](const vision::LinePoint& point) {
+      const Point<Field> p = truth * point.p_R;
+      const auto cell = static_cast<std::uint32_t>(static_cast<int>(std::floor(p.x)) * 7919 +
+                                                   static_cast<int>(std::floor(p.y)) * 104729);
+      std::minstd_rand hash(1U + ((cell ^ salt) & 0x7fffffffU));
+      hash.discard(3);
+      const double drawn =
+          static_cast<double>(hash()) / static_cast<double>(std::minstd_rand::max());
+      return drawn < share;
+    });
+  };
+}
+
+// Adds false points, so that they are this share of all.
+Spoil falsify(double share) {
+  return [share](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& random) {
+    if (points.empty()) return;
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const auto more =
+        static_cast<std::size_t>(static_cast<double>(points.size()) * share / (1.0 - share));
+    for (std::size_t i = 0; i < more; ++i) {
+      vision::LinePoint point = points[i % points.size()];
+      const double r = kFaultRange * std::sqrt(unit(random));
+      const double a = 2.0 * std::numbers::pi * unit(random);
+      point.p_R = {r * std::cos(a), r * std::sin(a)};
+      points.push_back(point);
+    }
+  };
+}
+
+// Where a floor point is seen by a head that leans. @param tilt  roll, pitch; rad
+Point<Robot> leaning(const Point<Robot>& p_R, const Eigen::Vector2d& tilt, double eye_height) {
+  const double lift = (tilt.x() * p_R.y - tilt.y() * p_R.x) / eye_height;
+  return {p_R.x / (1.0 + lift), p_R.y / (1.0 + lift)};
+}
+
+// A head that leans by up to 1.2 degrees, as under acceleration.
+Spoil lean(double eye_height) {
+  return [eye_height](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& random) {
+    std::normal_distribution<double> normal(0.0, 0.007);
+    const double roll = normal(random);
+    const double pitch = normal(random);
+    for (vision::LinePoint& point : points) {
+      point.p_R = leaning(point.p_R, {roll, pitch}, eye_height);
+    }
+  };
+}
+
+// Points as a camera with these faults gives them, as far as its faults are known to be smooth.
+Spoil see_through(const MapFault& fault, const Eigen::Vector2d& tilt, double eye_height) {
+  return [=](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& /*random*/) {
+    for (vision::LinePoint& point : points) {
+      point.p_R = fault.seen(leaning(point.p_R, tilt, eye_height), kFaultRange);
+    }
+    std::erase_if(points, [](const auto& p) { return p.p_R.vector().norm() > kFaultRange; });
+  };
+}
+
+}  // namespace
+
+CaseResult run_drawn_noise(const CaseOptions& options) {
+  std::mt19937 random(options.seed + 50);
+  vision::LocalisationParameters parameters;
+  be_exact(parameters);
+  Methods methods(options.field, parameters, {.rivals = options.rivals}, options.seed);
+  for (std::size_t i = 0; i < options.poses; ++i) {
+    const Pose<Field, Robot> truth = draw_pose(options.field, kMargin, random);
+    const auto points = look_at_lines(options.field, truth, {}, {}, random);
+    methods.ask({truth, draw_prior(truth, random), points}, true);
+  }
+  return {"noise", "drawn points, independent errors", methods.tallies()};
+}
+
+CaseResult run_noise(const CaseOptions& options) {
+  RenderedView view(options.camera, options.camera, options.field, options.pixel_noise_sigma);
+  std::mt19937 random(options.seed);
+  Methods methods(
+      options.field, parameters_for(view, true), {.rivals = options.rivals}, options.seed);
+  Plan plan;
+  plan.poses = options.poses;
+  plan.with_bound = true;
+  play(plan, view, options.field, methods, random);
+  return {"noise", "rendered frames", methods.tallies()};
+}
+
+CaseResult run_hardware(const CaseOptions& options, const CalibrationRemainder& remainder) {
+  RenderedView view(options.camera, options.camera, options.field, options.pixel_noise_sigma);
+  std::mt19937 random(options.seed + 1);
+  std::normal_distribution<double> normal;
+  Methods methods(
+      options.field, parameters_for(view, false), {.rivals = options.rivals}, options.seed);
+  for (std::size_t robot = 0; robot < kRobots; ++robot) {
+    const MapFault fault{remainder.shift * normal(random),
+                         remainder.shift * normal(random),
+                         remainder.turn * normal(random),
+                         remainder.scale * normal(random),
+                         remainder.bend * normal(random)};
+    const Eigen::Vector2d tilt(remainder.tilt * normal(random), remainder.tilt * normal(random));
+    Plan plan;
+    plan.poses = options.poses / kRobots;
+    plan.spoil = see_through(fault, tilt, view.head().eye_height);
+    play(plan, view, options.field, methods, random);
+  }
+  return {"hardware", "remainder of a calibration", methods.tallies()};
+}
+
+std::vector<CaseResult> run_faults(const CaseOptions& options) {
+  RenderedView view(options.camera, options.camera, options.field, options.pixel_noise_sigma);
+  std::vector<CaseResult> results;
+  const auto part = [&](const std::string& detail, const Plan& given) {
+    Plan plan = given;
+    plan.poses = std::max(kFewestOfAPart, options.poses / 5);
+    const auto number = static_cast<std::uint32_t>(results.size());
+    std::mt19937 random(options.seed + 10 + number);
+    Methods methods(
+        options.field, parameters_for(view, false), {.rivals = options.rivals}, options.seed);
+    play(plan, view, options.field, methods, random);
+    results.push_back({"faults", detail, methods.tallies()});
+  };
+  part("30 % of the lines hidden", {.spoil = hide(0.3)});
+  part("70 % of the lines hidden", {.spoil = hide(0.7)});
+  part("10 % false white", {.spoil = falsify(0.1)});
+  part("30 % false white", {.spoil = falsify(0.3)});
+  part("50 % false white", {.spoil = falsify(0.5)});
+  part("6 robots around", {.robots = 6});
+  part("head leans, sigma 0.4 degrees", {.spoil = lean(view.head().eye_height)});
+  part("glare, 60 px", {.has_glare = true});
+  RenderedView elsewhere(
+      options.camera, options.camera, options.other_field, options.pixel_noise_sigma);
+  std::mt19937 random(options.seed + 30);
+  Methods methods(
+      options.other_field, parameters_for(elsewhere, false), {.rivals = options.rivals}, 5);
+  Plan plan;
+  plan.poses = std::max(kFewestOfAPart, options.poses / 5);
+  play(plan, elsewhere, options.other_field, methods, random);
+  results.push_back({"faults", "field " + options.other_field.name, methods.tallies()});
+  return results;
+}
+
+}  // namespace teamsight::locate_score

@@ -1,0 +1,76 @@
+// bench/locate_score/cases.hpp: the cases of `teamsight score locate`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/locate_score/line_view.hpp"
+#include "bench/locate_score/tally.hpp"
+#include "geometry/field_model.hpp"
+#include "vision/camera_parameters.hpp"
+
+namespace teamsight::locate_score {
+
+/// What all cases share.
+struct CaseOptions {
+  vision::CameraParameters camera;
+  FieldModel field;
+  FieldModel other_field;  ///< for "other field size"
+  std::size_t poses{1000};
+  std::uint32_t seed{1};
+  double pixel_noise_sigma{3.0};  ///< grey levels
+  bool rivals{true};
+};
+
+/// One case, or a part of one, with what each method said.
+struct CaseResult {
+  std::string name;    ///< of the case: "noise", "hardware", "faults", "drive"
+  std::string detail;  ///< of the part; empty if there is one only
+  std::map<std::string, Tally> tallies;
+};
+
+/// (a) Points drawn on the paint with independent errors: there the bound means what it says.
+[[nodiscard]] CaseResult run_drawn_noise(const CaseOptions& options);
+
+/// (a) Rendered frames with pixel noise, through a camera that is what its file says.
+[[nodiscard]] CaseResult run_noise(const CaseOptions& options);
+
+/// What a calibration leaves of a robot's defects, as standard deviations; drawn once per robot.
+struct CalibrationRemainder {
+  double shift{0.002};  ///< of the robot in its own picture; m
+  double turn{0.001};   ///< rad
+  double scale{0.001};  ///< of ranges; dimensionless
+  double bend{0.006};   ///< at 6 m; m
+  double tilt{0.0005};  ///< of the head; rad
+};
+
+/// (b) Ten robots whose calibrated camera files are wrong by what calibration leaves.
+[[nodiscard]] CaseResult run_hardware(const CaseOptions& options,
+                                      const CalibrationRemainder& remainder);
+
+/// (c) Hidden lines, false white, robots around, another field, a leaning head, glare: a tenth of
+/// the poses, and at least 200, each.
+[[nodiscard]] std::vector<CaseResult> run_faults(const CaseOptions& options);
+
+/// What happened on drives beside the errors of single frames.
+struct DriveResult {
+  CaseResult frames;  ///< after the first second and apart from kidnappings
+  std::size_t sequences{0};
+  std::size_t kidnappings{0};
+  std::size_t found_within_1s{0};    ///< right, modulo symmetry, one second after it sees lines
+  double slowest_s{0.0};             ///< until right, of those found
+  std::size_t wrong_halves{0};       ///< sequences that began on the wrong half, with a compass
+  std::size_t halves_repaired{0};    ///< within five seconds
+  std::size_t false_ok_episodes{0};  ///< `ok` for over 0.3 s while wrong by over 0.5 m
+  double longest_false_ok_s{0.0};    ///< of sequences that begin on the right half
+  std::size_t slips{0};              ///< noticed
+};
+
+/// (d) Drives of ten seconds with slipping wheels; every other one is kidnapped, every fifth begins
+/// on the wrong half with a compass on board.
+[[nodiscard]] DriveResult run_drives(const CaseOptions& options);
+
+}  // namespace teamsight::locate_score
