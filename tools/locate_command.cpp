@@ -2,9 +2,11 @@
 #include "tools/locate_command.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@
 #include "tools/number_list.hpp"
 #include "tools/sight_drawing.hpp"
 #include "tools/viewer.hpp"
+#include "vision/hough2001/hough2001.hpp"
 
 namespace teamsight::tools {
 
@@ -97,7 +100,50 @@ ordered_json posture_line(const std::string& image, const Viewed& viewed) {
   return line;
 }
 
+// What the founding paper's method says; it has neither covariance nor odds.
+ordered_json hough_line(const std::string& image,
+                        const vision::Hough2001Result& found,
+                        double time_ms) {
+  const bool is_lost = found.status == PostureStatus::kLost;
+  ordered_json line;
+  line["image"] = image;
+  line["method"] = "hough2001";
+  line["status"] = status_name(found.status);
+  line["x_m"] = is_lost ? ordered_json() : ordered_json(found.X_FR.x());
+  line["y_m"] = is_lost ? ordered_json() : ordered_json(found.X_FR.y());
+  line["theta_rad"] = is_lost ? ordered_json() : ordered_json(found.X_FR.theta());
+  line["cov"] = nullptr;
+  line["half_log_odds"] = nullptr;
+  line["points"] = found.transitions;
+  line["inlier_ratio"] = nullptr;
+  line["matches"] = found.matches;
+  line["time_ms"] = time_ms;
+  return line;
+}
+
+int locate_as_in_2001(const LocateOptions& options) {
+  vision::CameraParameters camera = settings::load_camera(options.camera);
+  const FieldModel field = settings::load_field(options.field);
+  std::optional<vision::Hough2001> method;
+  int exit_code = 0;
+  for (const std::string& image : options.images) {
+    const ImageFile frame = read_image(image, camera);
+    if (!method || frame.format != camera.format) {
+      camera.format = frame.format;
+      method.emplace(camera, field);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const vision::Hough2001Result found = method->locate(frame.view());
+    const auto elapsed = std::chrono::steady_clock::now() - start;
+    const double time_ms = std::chrono::duration<double, std::milli>(elapsed).count();
+    std::cout << hough_line(image, found, time_ms).dump() << std::endl;
+    if (found.status == PostureStatus::kLost) exit_code = kNo;
+  }
+  return exit_code;
+}
+
 int locate(const LocateOptions& options) {
+  if (options.method == "hough2001") return locate_as_in_2001(options);
   const auto camera = settings::load_camera(options.camera);
   const FieldModel field = settings::load_field(options.field);
   const vision::MotionPrior prior = prior_of(options);
@@ -121,8 +167,10 @@ void add_locate_command(CLI::App& app, int& exit_code) {
   command->add_option("--field", options->field, "field file")->required();
   command
       ->add_option(
-          "--method", options->method, "track: from the prior, else global; global: always")
-      ->check(CLI::IsMember({"track", "global"}));
+          "--method",
+          options->method,
+          "track: from the prior, else global; global: always; hough2001: the founding paper's")
+      ->check(CLI::IsMember({"track", "global", "hough2001"}));
   command->add_option("--prior", options->prior, "x_m,y_m,theta_rad");
   command->add_option("--draw", options->draw, "folder for an SVG and a PNG of each image");
   command->add_option("images", options->images, "pictures, or .raw dumps of the camera")

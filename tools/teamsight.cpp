@@ -9,6 +9,7 @@
 #include "tools/locate_command.hpp"
 #include "tools/log_command.hpp"
 #include "tools/mirror_command.hpp"
+#include "tools/score_command.hpp"
 
 namespace {
 
@@ -21,6 +22,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   teamsight::tools::add_locate_command(app, exit_code);
   teamsight::tools::add_log_command(app, exit_code);
   teamsight::tools::add_mirror_command(app, exit_code);
+  teamsight::tools::add_score_command(app, exit_code);
 }
 
 int run(int argc, char** argv) {

@@ -1,0 +1,14 @@
+// tools/score_command.cpp: see tools/score_command.hpp.
+#include "tools/score_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace teamsight::tools {
+
+void add_score_command(CLI::App& app, int& exit_code) {
+  CLI::App* score = app.add_subcommand("score", "accuracy against truth, beside bounds and peers");
+  score->require_subcommand(1);
+  add_score_locate_command(*score, exit_code);
+}
+
+}  // namespace teamsight::tools

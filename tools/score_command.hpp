@@ -1,0 +1,15 @@
+// tools/score_command.hpp: `teamsight score`: accuracy against truth, beside bounds and peers.
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace teamsight::tools {
+
+/// Adds `score` with a subcommand for each thing that can be scored.
+void add_score_command(CLI::App& app, int& exit_code);
+
+/// Adds `score locate`: one JSON line per case and method on stdout, tables on stderr. Exit code 0,
+/// 2 on bad input.
+void add_score_locate_command(CLI::App& score, int& exit_code);
+
+}  // namespace teamsight::tools
