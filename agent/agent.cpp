@@ -47,18 +47,19 @@ AgentBus::AgentBus(const bus::Participant& team, const bus::Participant& host)
       diagnostics(team),
       peers(team),
       commands(team),
+      worlds(team),
       odometry(host) {}
 
 Agent::Agent(AgentIdentity identity,
              AgentBus& bus,
              FrameThread& frames,
              std::unique_ptr<vision::Perception> perception,
-             Motion motion)
+             std::unique_ptr<Locator> locator)
     : identity_(std::move(identity)),
       bus_(&bus),
       frames_(&frames),
       perception_(std::move(perception)),
-      motion_(std::move(motion)),
+      locator_(std::move(locator)),
       meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot) {}
 
 void Agent::join(bus::Loop& loop) {
@@ -67,6 +68,8 @@ void Agent::join(bus::Loop& loop) {
   loop.on_readable(bus_->commands.event_fd(), [this] { listen_to_commands(); });
   loop.on_readable(bus_->peers.event_fd(), [this] { listen_to_peers(); });
   loop.on_readable(bus_->odometry.event_fd(), [this] { listen_to_wheels(); });
+  loop.on_readable(bus_->worlds.event_fd(), [this] { listen_to_team(); });
+  loop.on_readable(locator_->search_fd(), [this] { locator_->take_answer(); });
   loop.every(kStatePeriod / 3, [this] { keep_alive(); });
   loop.every(1s, [this] { diagnose(); });
 }
@@ -77,14 +80,13 @@ void Agent::turn() {
     return;
   }
   const process::StepTimer timer(meter_);
-  const vision::MotionPrior prior = motion_.prior_at(frame->exposure);
-  const auto seen = perception_->see(frame->view(), prior);
+  const auto seen = perception_->see_with(
+      frame->view(), [&](auto points) { return locator_->see(points, frame->exposure); });
   measure_rate(frame->exposure);
   if (!seen.has_value()) {
     count_reject(seen.error());
     return;
   }
-  motion_.see((*seen)->posture, frame->exposure);
   write({*seen, frame->exposure});
 }
 
@@ -120,8 +122,9 @@ void Agent::write_state(HostTime now) {
   if (state.camera_lost) {
     state.posture.status = PostureStatus::kLost;
   }
-  state.v_R = motion_.velocity(now);
-  state.omega = motion_.omega(now);
+  state.v_R = locator_->velocity(now);
+  state.omega = locator_->omega(now);
+  state.half_log_odds_team = locator_->team_log_odds();
   state.command_acknowledged = acknowledged_;
   state.sees_ball = sees_ball_ && !state.camera_lost;
   state.frame_rate = frame_period_ > 0.0 && !state.camera_lost ? 1.0 / frame_period_ : 0.0;
@@ -189,6 +192,14 @@ void Agent::diagnose() {
   meter_.set("frames.read", source.frames);
   meter_.set("frames.overwritten", source.overwritten);
   meter_.set("camera.reopened", source.reopened);
+  const vision::LocalisationCounts& posture = locator_->counts();
+  meter_.set("posture.misses", posture.misses);
+  meter_.set("posture.surprises", posture.surprises);
+  meter_.set("posture.jumps", posture.jumps);
+  meter_.set("posture.slips", posture.slips);
+  meter_.set("posture.bad_input",
+             posture.frames_not_finite + posture.frames_backwards + posture.inputs_not_finite +
+                 posture.inputs_backwards);
   meter_.set("RobotState", bus_->states.counters());
   meter_.set("Sightings", bus_->sightings.counters());
   meter_.set("Command", bus_->commands.counters());
@@ -218,7 +229,7 @@ void Agent::listen_to_commands() {
 bool Agent::carry_out(const bus::Command& command, HostTime now) {
   switch (command.kind) {
     case bus::CommandKind::kRelocate:
-      motion_.place(command.X_FR, command.cov, now);
+      locator_->place(command.X_FR, command.cov, now);
       return true;
     case bus::CommandKind::kMute:
       muted_ = true;
@@ -241,7 +252,15 @@ bool Agent::carry_out(const bus::Command& command, HostTime now) {
 void Agent::listen_to_wheels() {
   bus_->odometry.take(bus::host_now(), [this](const bus::Sample<bus::Odometry>& sample) {
     if (sample.message.has_value() && sample.message->id.robot == identity_.robot) {
-      motion_.roll(*sample.message);
+      locator_->roll(*sample.message);
+    }
+  });
+}
+
+void Agent::listen_to_team() {
+  bus_->worlds.take(bus::host_now(), [this](const bus::Sample<WorldModel>& sample) {
+    if (sample.message.has_value()) {
+      locator_->hear(*sample.message, identity_.robot, sightings_count_);
     }
   });
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "agent/frame_thread.hpp"
-#include "agent/motion.hpp"
+#include "agent/locator.hpp"
 #include "agent/translate.hpp"
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
@@ -28,6 +28,7 @@ struct AgentBus {
   bus::Writer<bus::Diagnostics> diagnostics;
   bus::Reader<bus::RobotState> peers;
   bus::Reader<bus::Command> commands;
+  bus::Reader<WorldModel> worlds;
   bus::Reader<bus::Odometry> odometry;
 };
 
@@ -45,7 +46,7 @@ class Agent {
         AgentBus& bus,
         FrameThread& frames,
         std::unique_ptr<vision::Perception> perception,
-        Motion motion);
+        std::unique_ptr<Locator> locator);
 
   /// Puts everything the agent reacts to into the loop.
   void join(bus::Loop& loop);
@@ -67,6 +68,7 @@ class Agent {
   void listen_to_commands();
   bool carry_out(const bus::Command& command, HostTime now);
   void listen_to_wheels();
+  void listen_to_team();
   void listen_to_peers();
   void measure_rate(HostTime exposure);
   void count_reject(vision::FrameReject reason);
@@ -77,7 +79,7 @@ class Agent {
   AgentBus* bus_;
   FrameThread* frames_;
   std::unique_ptr<vision::Perception> perception_;
-  Motion motion_;
+  std::unique_ptr<Locator> locator_;
   process::ProcessMeter meter_;
   bus::Loop* loop_{nullptr};
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -115,13 +116,18 @@ vision::CameraParameters camera_for(const Setup& setup) {
   return camera;
 }
 
-Motion make_motion(const Options& options, const Setup& setup) {
-  Motion motion({}, start_side_of(setup.robot.start_side));
+std::unique_ptr<Locator> make_locator(const Options& options,
+                                      const Setup& setup,
+                                      const vision::HeadTilt& head) {
+  vision::LocalisationParameters parameters;
+  parameters.start_side = start_side_of(setup.robot.start_side);
+  parameters.tilt = head;
+  auto locator = std::make_unique<Locator>(setup.field, parameters);
   if (!options.prior.empty()) {
     const Eigen::Vector3d sigma(0.5, 0.5, 0.3);  // what a person can pace out and see
-    motion.place(parse_prior(options.prior), sigma.cwiseAbs2().asDiagonal(), bus::host_now());
+    locator->place(parse_prior(options.prior), sigma.cwiseAbs2().asDiagonal(), bus::host_now());
   }
-  return motion;
+  return locator;
 }
 
 // The boot id of another process with this robot id, if one has been heard.
@@ -154,7 +160,7 @@ void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot, const bus
 int run(const Options& options) {
   bus::Loop loop;  // before any thread: it takes SIGINT and SIGTERM for all of them
   const Setup setup = load(options);
-  Motion motion = make_motion(options, setup);
+  if (!options.prior.empty()) (void)parse_prior(options.prior);  // a mistake shows before all else
   const vision::CameraParameters camera = camera_for(setup);
   const PictureLayout layout{camera.width_px, camera.height_px, camera.format};
   const auto open = [source = setup.source, layout, again = options.loop] {
@@ -188,11 +194,13 @@ int run(const Options& options) {
                      options.rate_hz >= 0 ? options.rate_hz
                      : is_live            ? 0.0
                                           : 15.0);
+  std::unique_ptr<vision::Perception> eye = perception.get();
+  std::unique_ptr<Locator> locator = make_locator(options, setup, eye->head());
   Agent agent({setup.robot.id, process::draw_boot_id(), TEAMSIGHT_VERSION},
               topics,
               frames,
-              perception.get(),
-              std::move(motion));
+              std::move(eye),
+              std::move(locator));
   agent.join(loop);
   loop.run();
   if (agent.has_yielded()) {
