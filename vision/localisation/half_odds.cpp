@@ -26,7 +26,7 @@ double log_likelihood(double gap, double sigma, double fails) {
 // How far a goal of that colour is from where it was seen, in rad; pi if the field has none.
 double gap_to_goal(const Pose<Field, Robot>& X_FR,
                    const FieldModel& field,
-                   const GoalSighting& seen) {
+                   const GoalBearing& seen) {
   double least = std::numbers::pi;
   for (const Goal& goal : field.goals) {
     if (goal.colour != seen.colour) continue;
@@ -48,10 +48,10 @@ double half_log_odds_from_compass(const Pose<Field, Robot>& X_FR, const CompassR
 
 double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
                                 const FieldModel& field,
-                                std::span<const GoalSighting> goals) {
+                                std::span<const GoalBearing> goals) {
   const Pose<Field, Robot> image = mirrored(X_FR, field.centre);
   double odds = 0.0;
-  for (const GoalSighting& goal : goals) {
+  for (const GoalBearing& goal : goals) {
     const bool tells = goal.colour == GoalColour::kBlue || goal.colour == GoalColour::kYellow;
     if (!tells || !std::isfinite(goal.azimuth) || !std::isfinite(goal.sigma)) continue;
     odds += log_likelihood(gap_to_goal(X_FR, field, goal), goal.sigma, kGoalIsOther) -

@@ -20,7 +20,7 @@ struct CompassReading {
 };
 
 /// A goal of a known colour, as a camera sees it.
-struct GoalSighting {
+struct GoalBearing {
   GoalColour colour{GoalColour::kNone};
   double azimuth{0.0};  ///< of its middle in R; rad
   double sigma{0.1};    ///< rad
@@ -35,6 +35,6 @@ struct GoalSighting {
 /// ten is taken to be something else of that colour.
 [[nodiscard]] double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
                                               const FieldModel& field,
-                                              std::span<const GoalSighting> goals);
+                                              std::span<const GoalBearing> goals);
 
 }  // namespace teamsight::vision

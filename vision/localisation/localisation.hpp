@@ -103,7 +103,7 @@ struct LocalisationState {
 struct FrameEvidence {
   HostTime exposure{};
   std::span<const LinePoint> points;
-  std::span<const GoalSighting> goals{};
+  std::span<const GoalBearing> goals{};
 };
 
 /// What is said after a frame.

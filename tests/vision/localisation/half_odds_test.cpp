@@ -36,8 +36,8 @@ TEST(HalfOddsFromCompass, SayNothingAtARightAngle) {
 TEST(HalfOddsFromGoals, KnowTheColouredGoal) {
   const FieldModel field = field_with(GoalColour::kBlue, GoalColour::kYellow);
   const Pose<Field, Robot> X_FR(2.0, 0.0, 0.0);
-  const std::vector<GoalSighting> ahead{{GoalColour::kYellow, 0.05, 0.1}};
-  const std::vector<GoalSighting> behind{{GoalColour::kYellow, std::numbers::pi, 0.1}};
+  const std::vector<GoalBearing> ahead{{GoalColour::kYellow, 0.05, 0.1}};
+  const std::vector<GoalBearing> behind{{GoalColour::kYellow, std::numbers::pi, 0.1}};
 
   EXPECT_GT(half_log_odds_from_goals(X_FR, field, ahead), 2.0);
   EXPECT_LT(half_log_odds_from_goals(X_FR, field, behind), -2.0);
@@ -45,7 +45,7 @@ TEST(HalfOddsFromGoals, KnowTheColouredGoal) {
 
 TEST(HalfOddsFromGoals, SayNothingOfWhiteGoals) {
   const FieldModel field = field_with(GoalColour::kWhite, GoalColour::kWhite);
-  const std::vector<GoalSighting> ahead{{GoalColour::kWhite, 0.0, 0.1}};
+  const std::vector<GoalBearing> ahead{{GoalColour::kWhite, 0.0, 0.1}};
 
   EXPECT_DOUBLE_EQ(half_log_odds_from_goals({2.0, 0.0, 0.0}, field, ahead), 0.0);
 }
