@@ -51,6 +51,18 @@ struct LogConvert {
 /// By the schemas in the file, so that any protobuf recording can be converted.
 [[nodiscard]] int log_convert(const LogConvert& request);
 
+struct LogImport {
+  std::filesystem::path worlds;  ///< the referee box's *.A.msl or *.B.msl: one team's world states
+  std::filesystem::path events;  ///< its *.msl: the referee's events; may be empty
+  std::string own{"cyan"};       ///< colour of that team in the events
+  std::filesystem::path out;
+};
+
+/// A game as the league's referee box recorded it becomes a recording that the page can replay.
+///
+/// Positions come into F. The league tells no uncertainty: covariances in the result are assumed.
+[[nodiscard]] int log_import(const LogImport& request);
+
 struct LogRecord {
   std::filesystem::path team;
   std::filesystem::path out;

@@ -62,6 +62,19 @@ void add_convert(CLI::App& log, int& exit_code) {
   command->callback([request, &exit_code]() { exit_code = log_convert(*request); });
 }
 
+void add_import(CLI::App& log, int& exit_code) {
+  auto request = std::make_shared<LogImport>();
+  CLI::App* command = log.add_subcommand("import", "A game recorded by the league's referee box");
+  command->add_option("--worlds", request->worlds, "one team's world states, *.A.msl or *.B.msl")
+      ->required();
+  command->add_option("--events", request->events, "the referee's events, *.msl");
+  command->add_option("--own", request->own, "that team's colour in the events")
+      ->check(CLI::IsMember({"cyan", "magenta"}))
+      ->capture_default_str();
+  command->add_option("--out", request->out, "new MCAP file")->required();
+  command->callback([request, &exit_code]() { exit_code = log_import(*request); });
+}
+
 void add_replay(CLI::App& log, int& exit_code) {
   auto request = std::make_shared<LogReplay>();
   CLI::App* command = log.add_subcommand("replay", "Puts a recording back on the bus");
@@ -79,12 +92,14 @@ void add_replay(CLI::App& log, int& exit_code) {
 }  // namespace
 
 void add_log_command(CLI::App& app, int& exit_code) {
-  CLI::App* log = app.add_subcommand("log", "Recordings: record, info, cut, convert, replay");
+  CLI::App* log =
+      app.add_subcommand("log", "Recordings: record, info, cut, convert, import, replay");
   log->require_subcommand(1);
   add_record(*log, exit_code);
   add_info(*log, exit_code);
   add_cut(*log, exit_code);
   add_convert(*log, exit_code);
+  add_import(*log, exit_code);
   add_replay(*log, exit_code);
 }
 

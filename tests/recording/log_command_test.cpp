@@ -179,6 +179,44 @@ TEST_F(LogCommand, PutsARecordingBackOnTheBusInThePresent) {
   EXPECT_GT(last_line(replay.out())["written"], 60);
 }
 
+TEST_F(LogCommand, ImportsAGameOfTheLeaguesBoxWithItsDirtIntoF) {
+  // As the box wrote them: one record in two lines, nulls, a stamp that runs back, an open end.
+  const std::filesystem::path worlds = folder_.write("game.A.msl", R"([
+{"teamName": "Us","timestamp": 1467553851531,"gametimeMs": 1,"worldstate": {"type": "worldstate",
+ "teamName": "US", "robots": [{"id": 2, "pose": [1.0, 4.0, 0.5], "velocity": [0.5, 1.0, 0.0]},
+ {"id": 3, "pose": [null, null, null]}], "balls": [{"position": [2, 3, 0.1], "confidence": -100}],
+ "obstacles": [{"position": [1, 1], "radius": 0.3}]}},
+{"teamName": "Us","timestamp": 1467553851431,"worldstate": {"robots": [], "balls": []}},
+{"teamName": "Us","worldstate": 7},
+)");
+  const std::filesystem::path events =
+      folder_.write("game.msl",
+                    "New BaseStation @ 172.16.63.114\n"
+                    "1467553851500,00:40(00:00),1st,K,CYAN Kickoff\n"
+                    "1467553851600,00:40(00:00),1st,s,START\r\n");
+  const std::string out = folder_.path() / "game.mcap";
+
+  ChildProcess import = log({"import", "--worlds", worlds, "--events", events, "--out", out});
+  ASSERT_EQ(import.wait_exit(kBound), 0) << import.err();
+  ChildProcess lines = log({"convert", "--in", out, "--format", "jsonl"});
+  ASSERT_EQ(lines.wait_exit(kBound), 0) << lines.err();
+
+  std::vector<nlohmann::json> found;
+  std::istringstream stream(lines.out());
+  for (std::string line; std::getline(stream, line);) found.push_back(nlohmann::json::parse(line));
+  ASSERT_EQ(found.size(), 4U) << lines.out();
+  const nlohmann::json& world = found[2]["message"];
+  EXPECT_EQ(found[2]["log_ns"], 1467553851531000000);
+  EXPECT_EQ(world["teammates"].size(), 1U);
+  EXPECT_EQ(world["teammates"][0]["posture"]["x_m"], 4.0);
+  EXPECT_EQ(world["teammates"][0]["posture"]["y_m"], -1.0);
+  EXPECT_EQ(world["teammates"][0]["vy_mps"], -0.5);
+  EXPECT_EQ(world["balls"].size(), 0U) << "a confidence of -100 is none";
+  EXPECT_EQ(world["obstacles"][0]["x_m"], 1.0);
+  EXPECT_EQ(found[1]["message"]["piece_is_ours"], true);
+  EXPECT_EQ(found[3]["message"]["running"], true);
+}
+
 TEST_F(LogCommand, RefusesWhatIsNoRecordingInOneLine) {
   const std::filesystem::path file = folder_.write("no.mcap", "this is text, not a recording");
 
