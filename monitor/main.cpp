@@ -2,8 +2,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -15,6 +17,12 @@
 #include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "monitor.pb.h"
+#include "monitor/operator.hpp"
+#include "monitor/order_desk.hpp"
+#include "monitor/recording_feed.hpp"
+#include "monitor/referee/referee.hpp"
+#include "monitor/replay.hpp"
+#include "monitor/secret.hpp"
 #include "monitor/station.hpp"
 #include "monitor/update_to_proto.hpp"
 #include "monitor/web_files.hpp"
@@ -22,6 +30,7 @@
 #include "process/domains.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
+#include "recording/recorder.hpp"
 #include "settings/load.hpp"
 
 namespace teamsight::monitor {
@@ -30,6 +39,7 @@ namespace {
 // More is not seen, and costs every client.
 constexpr Duration kUpdatePeriod = std::chrono::milliseconds(34);
 constexpr Duration kDiagnosticsPeriod = std::chrono::seconds(1);
+constexpr Duration kRepeatPeriod = std::chrono::milliseconds(100);
 
 struct Options {
   std::filesystem::path team;
@@ -38,7 +48,13 @@ struct Options {
   std::string bind{"127.0.0.1"};
   std::uint16_t port{8080};
   process::DomainOptions domains;
-  std::string match_tag;  ///< empty: no truth
+  std::string match_tag;         ///< empty: no truth
+  std::filesystem::path record;  ///< folder; empty: nothing is recorded
+  std::uint64_t record_max_megabytes{1024};
+  std::filesystem::path replay;  ///< a recording; empty: the present
+  std::string box;               ///< ADDRESS or ADDRESS:PORT; empty: no referee box
+  std::string own_address;
+  std::filesystem::path token_file;  ///< empty: a token is drawn
 };
 
 /// Every topic that the station listens to.
@@ -48,7 +64,9 @@ struct Feeds {
         sightings(participant),
         worlds(participant),
         explanations(participant),
-        diagnostics(participant) {}
+        diagnostics(participant),
+        line_points(participant),
+        thumbnails(participant) {}
 
   void count(Station& station) const {
     station.count("RobotState", states.counters());
@@ -56,6 +74,8 @@ struct Feeds {
     station.count("WorldModel", worlds.counters());
     station.count("Explanation", explanations.counters());
     station.count("Diagnostics", diagnostics.counters());
+    station.count("LinePoints", line_points.counters());
+    station.count("Thumbnail", thumbnails.counters());
   }
 
   bus::Reader<bus::RobotState> states;
@@ -63,6 +83,8 @@ struct Feeds {
   bus::Reader<WorldModel> worlds;
   bus::Reader<bus::Explanation> explanations;
   bus::Reader<bus::Diagnostics> diagnostics;
+  bus::Reader<bus::LinePoints> line_points;
+  bus::Reader<bus::Thumbnail> thumbnails;
 };
 
 template <class Message>
@@ -72,16 +94,43 @@ void pass_on(bus::Loop& loop, bus::Reader<Message>& reader, Station& station) {
   });
 }
 
-void pass_on(bus::Loop& loop, Feeds& feeds, Station& station) {
-  pass_on(loop, feeds.states, station);
+void pass_on(bus::Loop& loop, Feeds& feeds, Station& station, OrderDesk& desk) {
+  loop.on_readable(feeds.states.event_fd(), [&]() {
+    feeds.states.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
+      station.hear(sample);
+      if (!sample.message) return;
+      desk.hear(sample.message->id.robot, sample.message->command_acknowledged);
+    });
+  });
   pass_on(loop, feeds.sightings, station);
   pass_on(loop, feeds.worlds, station);
   pass_on(loop, feeds.explanations, station);
   pass_on(loop, feeds.diagnostics, station);
+  pass_on(loop, feeds.line_points, station);
+  pass_on(loop, feeds.thumbnails, station);
 }
 
-WebServerSettings web_settings(const Options& options, const settings::TeamSettings& team) {
-  v1::MonitorUpdate greeting;
+/// The token of a file's first line, or a new one.
+std::string token_of(const Options& options) {
+  if (options.token_file.empty()) return draw_token();
+  std::ifstream file(options.token_file);
+  std::string token;
+  std::getline(file, token);
+  if (token.size() < 16) {
+    throw std::runtime_error("--token-file: " + options.token_file.string() +
+                             " holds no token, expected a first line of at least 16 characters");
+  }
+  return token;
+}
+
+bool is_this_computer_only(const std::string& bind) {
+  return bind.starts_with("127.") || bind == "::1";
+}
+
+WebServerSettings web_settings(const Options& options,
+                               const settings::TeamSettings& team,
+                               const std::string& token,
+                               v1::MonitorUpdate greeting = {}) {
   to_proto(settings::load_field(options.field.empty() ? team.field : options.field),
            *greeting.mutable_field());
   greeting.set_team(team.name);
@@ -93,15 +142,20 @@ WebServerSettings web_settings(const Options& options, const settings::TeamSetti
   web.files =
       load_web_files(find_web_folder(options.web, std::filesystem::read_symlink("/proc/self/exe")));
   web.greeting = greeting.SerializeAsString();
+  if (!is_this_computer_only(options.bind)) web.watch_token = token;
   return web;
 }
 
-void publish(WebServer& server, const Update& update) {
+void publish(WebServer& server, Recording& recording, const Update& update) {
   v1::MonitorUpdate state;
   to_proto(update, state);
   v1::MonitorUpdate events;
   events_to_proto(update, events);
-  server.publish({state.SerializeAsString(), events.SerializeAsString()});
+  v1::MonitorUpdate pictures;
+  thumbnails_to_proto(update, pictures);
+  recording.add_events(events.SerializeAsString(), update.stamp);
+  server.publish(
+      {state.SerializeAsString(), events.SerializeAsString(), pictures.SerializeAsString()});
 }
 
 void describe(process::ProcessMeter& meter, const WebServer& server) {
@@ -130,31 +184,116 @@ struct TruthFeed {
   bus::Reader<bus::Truth> reader;
 };
 
+std::optional<BoxAddress> box_of(const Options& options) {
+  if (options.box.empty()) return std::nullopt;
+  BoxAddress address;
+  const auto colon = options.box.find(':');
+  address.host = options.box.substr(0, colon);
+  if (colon == std::string::npos) return address;
+  const std::string port = options.box.substr(colon + 1);
+  const bool is_number = !port.empty() && port.size() <= 5 &&
+                         port.find_first_not_of("0123456789") == std::string::npos;
+  const unsigned long value = is_number ? std::stoul(port) : 0;
+  if (value == 0 || value > 65'535) {
+    throw std::runtime_error("--box: port \"" + port + "\", expected 1 to 65535");
+  }
+  address.port = static_cast<std::uint16_t>(value);
+  return address;
+}
+
+RefereeSettings referee_settings(const Options& options,
+                                 const settings::TeamSettings& team,
+                                 std::uint32_t boot) {
+  return {box_of(options), options.own_address, team.name, boot};
+}
+
+std::optional<recording::RecorderSettings> recorder_settings(const Options& options,
+                                                             const settings::TeamSettings& team) {
+  if (options.record.empty()) return std::nullopt;
+  recording::RecorderSettings settings;
+  settings.folder = options.record;
+  settings.name = team.name;
+  settings.library = "teamsight " TEAMSIGHT_VERSION;
+  settings.facts = {{"team", team.name}, {"field", team.field.filename().string()}};
+  settings.max_file_bytes = options.record_max_megabytes << 20U;
+  return settings;
+}
+
+/// Where the page is; "open" can be followed at once, as the token stands in it.
+void say_address(const WebServer& server, const std::string& token) {
+  std::printf("{\"url\": \"%s\", \"open\": \"%s#token=%s\"}\n",
+              server.url().c_str(),
+              server.url().c_str(),
+              token.c_str());
+  std::fflush(stdout);
+}
+
+/// Shows a recording instead of the present: no domain is joined, nothing is written.
+int run_replay(const Options& options) {
+  constexpr const char* kPath = "/recording.bin";
+  const settings::TeamSettings team = settings::load_team(options.team);
+  const std::string token = token_of(options);
+  bus::Loop loop;
+  Replay replay = load_replay(options.replay, station_parameters(options, team));
+  if (!replay.damage.empty()) {
+    std::fprintf(stderr,
+                 "teamsight-monitor: %s: %s; what stands before is shown\n",
+                 options.replay.c_str(),
+                 replay.damage.c_str());
+  }
+  v1::MonitorUpdate greeting;
+  greeting.set_recording(kPath);
+  greeting.set_date_minus_stamp_ns(replay.date_minus_stamp.count());
+  WebServerSettings web = web_settings(options, team, token, greeting);
+  web.files[kPath] = {"application/octet-stream", std::move(replay.body), true};
+  WebServer server(std::move(web));
+  server.publish({});  // the greeting goes out with the first state
+  say_address(server, token);
+  loop.run();
+  return process::kDone;
+}
+
 int run(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team);
+  const std::string token = token_of(options);
+  const std::uint32_t boot = process::draw_boot_id();
   bus::Loop loop;  // before any thread is started: it takes over the signals
-  WebServer server(web_settings(options, team));
-  std::printf("{\"url\": \"%s\"}\n", server.url().c_str());
-  std::fflush(stdout);
+  WebServer server(web_settings(options, team, token));
+  Recording recording(recorder_settings(options, team));
+  say_address(server, token);
   const auto keep_trying = [&loop]() {
     return loop.keeps_running();
   };
   const bus::Participant participant =
       bus::Participant::join(process::team_domain(team, options.domains), keep_trying);
   Station station(station_parameters(options, team));
+  OrderDesk desk(boot);
   Feeds feeds(participant);
   bus::Writer<bus::Diagnostics> diagnostics(participant);
-  process::ProcessMeter meter("monitor", kNobody, process::draw_boot_id());
+  bus::Writer<bus::Command> commands(participant);
+  process::ProcessMeter meter("monitor", kNobody, boot);
+  recording.attach(participant, loop);
+  Referee referee(referee_settings(options, team, boot), participant, loop, station);
+  Operator oper(server, station, desk, referee, commands);
   std::optional<TruthFeed> truth;
   if (!options.match_tag.empty()) {
     truth.emplace(process::host_domain(team, options.domains, options.match_tag), keep_trying);
     pass_on(loop, truth->reader, station);
+    recording.add_truth(truth->participant);
   }
-  pass_on(loop, feeds, station);
+  pass_on(loop, feeds, station, desk);
+  loop.on_readable(server.event_fd(), [&]() { oper.listen(token); });
+  loop.every(kRepeatPeriod, [&]() { oper.repeat(); });
   loop.every(kUpdatePeriod, [&]() {
     const process::StepTimer timer(meter);
+    const HostTime now = bus::host_now();
     feeds.count(station);
-    publish(server, station.update(bus::host_now()));
+    auto recorder = recording.report(station, now);
+    Update update = station.update(now);
+    update.recorder = std::move(recorder);
+    update.referee = referee.report(now);
+    update.actions = desk.report(now);
+    publish(server, recording, update);
   });
   loop.every(kDiagnosticsPeriod, [&]() {
     describe(meter, server);
@@ -178,8 +317,21 @@ int start(int argc, char** argv) {
       ->check(CLI::Range(0, 229));
   app.add_option("--match-tag", options.match_tag, "tag of a simulated match: shows its truth");
   app.add_option("--web", options.web, "folder of the built page");
+  app.add_option("--record", options.record, "folder: records everything into MCAP files there");
+  app.add_option(
+         "--record-max-megabytes", options.record_max_megabytes, "a new file begins after so many")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--replay", options.replay, "MCAP file: shows it instead of the present");
+  app.add_option("--box", options.box, "referee box: ADDRESS or ADDRESS:PORT (28097)");
+  app.add_option("--own-address",
+                 options.own_address,
+                 "our multicast address in the box's commands; else its WELCOME tells it");
+  app.add_option("--token-file",
+                 options.token_file,
+                 "file with the token that orders need; else one is drawn");
   if (const auto done = process::parse_command_line(app, argc, argv)) return *done;
-  return run(options);
+  return options.replay.empty() ? run(options) : run_replay(options);
 }
 
 }  // namespace

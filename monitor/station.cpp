@@ -11,6 +11,11 @@ namespace {
 constexpr std::size_t kMaxEventsPerUpdate = 256;
 constexpr std::size_t kMaxProcesses = 64;
 constexpr std::size_t kMaxInstances = 256;
+constexpr std::size_t kMaxThumbnailsPerUpdate = 8;
+
+// Two computers' monotonic clocks differ by more than this, unless both were just switched on.
+constexpr Duration kLongestWay = std::chrono::seconds(2);
+constexpr Duration kLinePointsShown = std::chrono::seconds(2);
 
 constexpr std::string_view kAgentPrefix = "agent/";
 
@@ -126,6 +131,19 @@ void Station::hear(const bus::Sample<bus::Sightings>& sample) {
   const bus::Sightings& sightings = *sample.message;
   Watch& watch = watch_of(sightings.id.robot);
   watch.link.add(sightings.id, sightings.exposure, sightings.published, sample.received);
+  watch.sightings = sightings;
+}
+
+void Station::hear(const bus::Sample<bus::LinePoints>& sample) {
+  if (!sample.message) return;
+  Watch& watch = watch_of(sample.message->id.robot);
+  watch.line_points = sample.message;
+  watch.line_points_heard = sample.received;
+}
+
+void Station::hear(const bus::Sample<bus::Thumbnail>& sample) {
+  if (!sample.message || thumbnails_.size() == kMaxThumbnailsPerUpdate) return;
+  thumbnails_.push_back(*sample.message);
 }
 
 void Station::hear(const bus::Sample<WorldModel>& sample) {
@@ -212,6 +230,8 @@ RobotRow Station::row_of(RobotId robot, const Watch& watch, HostTime now) const 
   row.state = watch.state;
   row.agent = watch.agent;
   row.explained = watch.explained;
+  row.sightings = watch.sightings;
+  if (now - watch.line_points_heard < kLinePointsShown) row.line_points = watch.line_points;
   return row;
 }
 
@@ -230,9 +250,33 @@ Update Station::update(HostTime now) {
     if (!name.starts_with(kAgentPrefix)) update.processes.push_back(diagnostics);
   }
   for (const auto& [name, value] : rejected_) update.rejected.push_back({name, value});
+  update.thumbnails = std::exchange(thumbnails_, {});
   update.events = std::exchange(events_, {});
   update.silence = silence(update);
   return update;
+}
+
+Duration Station::world_information_age(HostTime now) const {
+  if (!world_) return Duration{0};
+  const Duration way = stamp_of(world_heard_) - world_->stamp;
+  const bool is_plausible = way >= Duration{0} && way <= kLongestWay;
+  return now - world_heard_ + (is_plausible ? way : Duration{0});
+}
+
+std::vector<const bus::RobotState*> Station::states() const {
+  std::vector<const bus::RobotState*> states;
+  for (const auto& [robot, watch] : robots_) {
+    if (watch.state) states.push_back(&*watch.state);
+  }
+  return states;
+}
+
+std::vector<RobotId> Station::alive() const {
+  std::vector<RobotId> robots;
+  for (const auto& [robot, watch] : robots_) {
+    if (watch.alive) robots.push_back(robot);
+  }
+  return robots;
 }
 
 std::string Station::silence(const Update& update) const {

@@ -41,12 +41,30 @@ class Station {
   void hear(const bus::Sample<bus::Explanation>& sample);
   void hear(const bus::Sample<bus::Diagnostics>& sample);
   void hear(const bus::Sample<bus::Truth>& sample);
+  void hear(const bus::Sample<bus::LinePoints>& sample);
+  void hear(const bus::Sample<bus::Thumbnail>& sample);
+
+  /// Something that happened elsewhere in the station, for the log.
+  void note(HostTime stamp, Level level, std::string text);
 
   /// What a reader has dropped until now.
   void count(std::string_view topic, const bus::ReadCounters& counters);
 
   /// Everything to show at `now`, with the events since the last call.
   [[nodiscard]] Update update(HostTime now);
+
+  /// The leader's newest; null: none yet. Valid until the next `hear`.
+  [[nodiscard]] const WorldModel* world() const { return world_ ? &*world_ : nullptr; }
+
+  /// How old the world's stamp is: since it arrived, and on the way as far as its maker's clock can
+  /// be this computer's.
+  [[nodiscard]] Duration world_information_age(HostTime now) const;
+
+  /// The newest state of every robot, by id. Valid until the next `hear`.
+  [[nodiscard]] std::vector<const bus::RobotState*> states() const;
+
+  /// Robots whose lease holds.
+  [[nodiscard]] std::vector<RobotId> alive() const;
 
  private:
   struct Watch {
@@ -63,11 +81,13 @@ class Station {
     std::optional<bus::RobotState> state;
     std::optional<bus::Diagnostics> agent;
     std::optional<bus::ExplainedRobot> explained;
+    std::optional<bus::Sightings> sightings;
+    std::optional<bus::LinePoints> line_points;
+    HostTime line_points_heard;
     Quarantine quarantine{Quarantine::kNone};
   };
 
   Watch& watch_of(RobotId robot);
-  void note(HostTime stamp, Level level, std::string text);
   void note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now);
   void note_silence(RobotId robot, Watch& watch, HostTime now);
   void note_arrival(RobotId robot, Watch& watch, HostTime now);
@@ -85,6 +105,7 @@ class Station {
   HostTime truth_heard_;
   std::map<std::string, bus::Diagnostics, std::less<>> processes_;
   std::map<std::string, std::uint64_t, std::less<>> rejected_;
+  std::vector<bus::Thumbnail> thumbnails_;
   std::vector<Event> events_;
 };
 

@@ -10,6 +10,7 @@
 #include "geometry/identity.hpp"
 #include "geometry/time.hpp"
 #include "geometry/world_model.hpp"
+#include "recording/recorder.hpp"
 
 namespace teamsight::monitor {
 
@@ -50,8 +51,34 @@ struct RobotRow {
   std::optional<bus::RobotState> state;          ///< the newest
   std::optional<bus::Diagnostics> agent;         ///< the newest of its agent
   std::optional<bus::ExplainedRobot> explained;  ///< by the leading fusion
+  std::optional<bus::Sightings> sightings;       ///< the newest
+  std::optional<bus::LinePoints> line_points;    ///< the newest, while asked for
 
   friend bool operator==(const RobotRow&, const RobotRow&) = default;
+};
+
+enum class ActionState : std::uint8_t { kWaiting, kDone, kNoAnswer };
+
+/// What became of one order to the robots.
+struct ActionReport {
+  std::uint32_t command{0};
+  std::string text;  ///< e.g. "relocate robot 3"
+  ActionState state{ActionState::kWaiting};
+  Duration age{0};  ///< since it was given
+
+  friend bool operator==(const ActionReport&, const ActionReport&) = default;
+};
+
+/// The game, and how the referee box is reached.
+struct RefereeReport {
+  bus::GameState state;
+  std::string last_command;      ///< empty: none yet
+  bool has_box{false};           ///< an address was given
+  double world_state_rate{0.0};  ///< Hz, over the last second
+  std::uint64_t world_states_skipped{0};
+  std::uint64_t refused{0};  ///< messages that could not be read, or not be sent
+
+  friend bool operator==(const RefereeReport&, const RefereeReport&) = default;
 };
 
 /// What the page shows at one moment.
@@ -65,6 +92,10 @@ struct Update {
   std::optional<bus::Truth> truth;          ///< while it is fresh
   std::vector<bus::Diagnostics> processes;  ///< newest of every process that is no agent, by name
   std::vector<bus::Counter> rejected;       ///< samples this station dropped, "Topic.reason"
+  std::vector<bus::Thumbnail> thumbnails;   ///< since the update before
+  std::optional<RefereeReport> referee;
+  std::optional<recording::RecorderReport> recorder;  ///< nothing: not recording
+  std::vector<ActionReport> actions;                  ///< of the last seconds, oldest first
 
   friend bool operator==(const Update&, const Update&) = default;
 };

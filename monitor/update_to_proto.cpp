@@ -46,6 +46,45 @@ void fill(const RobotRow& from, v1::RobotRow& to) {
   if (from.state) to_proto(*from.state, *to.mutable_state());
   if (from.agent) to_proto(*from.agent, *to.mutable_agent());
   if (from.explained) set(*from.explained, *to.mutable_explained());
+  if (from.sightings) to_proto(*from.sightings, *to.mutable_sightings());
+  if (from.line_points) to_proto(*from.line_points, *to.mutable_line_points());
+}
+
+const char* name_of(ActionState state) {
+  switch (state) {
+    case ActionState::kWaiting:
+      return "waiting";
+    case ActionState::kDone:
+      return "done";
+    case ActionState::kNoAnswer:
+      return "no answer";
+  }
+  return "waiting";
+}
+
+void fill(const ActionReport& from, v1::MonitorAction& to) {
+  to.set_command_id(from.command);
+  to.set_text(from.text);
+  to.set_state(name_of(from.state));
+  to.set_age_ms(to_ms(from.age));
+}
+
+void fill(const RefereeReport& from, v1::RefereeReport& to) {
+  to_proto(from.state, *to.mutable_state());
+  to.set_last_command(from.last_command);
+  to.set_has_box(from.has_box);
+  to.set_world_state_hz(from.world_state_rate);
+  to.set_world_states_skipped(from.world_states_skipped);
+  to.set_refused(from.refused);
+}
+
+void fill(const recording::RecorderReport& from, v1::RecorderReport& to) {
+  to.set_file(from.file);
+  to.set_bytes(from.bytes);
+  to.set_messages(from.messages);
+  to.set_dropped(from.dropped);
+  to.set_free_bytes(from.free_bytes);
+  to.set_problem(from.problem);
 }
 
 }  // namespace
@@ -91,6 +130,13 @@ void to_proto(const Update& from, v1::MonitorUpdate& to) {
   if (from.truth) to_proto(*from.truth, *to.mutable_truth());
   for (const bus::Diagnostics& process : from.processes) to_proto(process, *to.add_processes());
   for (const bus::Counter& counter : from.rejected) set(counter, *to.add_rejected());
+  if (from.referee) fill(*from.referee, *to.mutable_referee());
+  if (from.recorder) fill(*from.recorder, *to.mutable_recorder());
+  for (const ActionReport& action : from.actions) fill(action, *to.add_actions());
+}
+
+void thumbnails_to_proto(const Update& from, v1::MonitorUpdate& to) {
+  for (const bus::Thumbnail& picture : from.thumbnails) to_proto(picture, *to.add_thumbnails());
 }
 
 void events_to_proto(const Update& from, v1::MonitorUpdate& to) {

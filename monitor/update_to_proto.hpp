@@ -14,10 +14,14 @@ namespace teamsight::monitor {
 /// The field as the page draws it.
 void to_proto(const FieldModel& from, v1::MonitorField& to);
 
-/// Everything but the events, which travel on their own so that none is lost.
+/// Everything but events and pictures, which travel on their own: a state that is skipped must not
+/// take them along.
 void to_proto(const Update& from, v1::MonitorUpdate& to);
 
 /// The events alone.
 void events_to_proto(const Update& from, v1::MonitorUpdate& to);
+
+/// The pictures alone.
+void thumbnails_to_proto(const Update& from, v1::MonitorUpdate& to);
 
 }  // namespace teamsight::monitor

@@ -11,6 +11,7 @@ namespace teamsight::monitor {
 struct WebFile {
   std::string content_type;
   std::string body;
+  bool is_private{false};  ///< needs the token where watching does
 
   friend bool operator==(const WebFile&, const WebFile&) = default;
 };

@@ -1,12 +1,9 @@
-// monitor/web_server.cpp: see monitor/web_server.hpp. The only file that includes Boost.Beast.
+// monitor/web_server.cpp: see monitor/web_server.hpp. The only file that compiles Boost.Beast.
 #include "monitor/web_server.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -18,147 +15,16 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "monitor/live_client.hpp"
+#include "monitor/secret.hpp"
+
 namespace teamsight::monitor {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
-namespace websocket = beast::websocket;
-using Tcp = asio::ip::tcp;
-using ErrorCode = beast::error_code;
-
 constexpr auto kRequestTimeout = std::chrono::seconds(10);
 constexpr auto kAcceptPause = std::chrono::milliseconds(200);
-constexpr std::size_t kMaxMessageBytes = 1024;
 constexpr std::uint32_t kMaxHeaderBytes = 8192;
 constexpr std::uint64_t kMaxBodyBytes = 1024;
-
-using Text = std::shared_ptr<const std::string>;
-
-struct Counts {
-  std::atomic<std::uint64_t> accepted{0};
-  std::atomic<std::uint64_t> refused{0};
-  std::atomic<std::uint64_t> overrun{0};
-  std::atomic<std::uint64_t> misbehaved{0};
-  std::atomic<std::uint64_t> clients{0};
-};
-
-class LiveClient;
-
-/// What every connection shares; used on the server's thread only, but for the counts.
-struct Hub {
-  WebServerSettings settings;
-  Counts counts;
-  Text newest_state;
-  std::deque<Text> past_events;
-  std::set<LiveClient*> clients;
-  std::size_t connections{0};
-};
-
-/// One browser that watches.
-class LiveClient : public std::enable_shared_from_this<LiveClient> {
- public:
-  LiveClient(Hub& hub, beast::tcp_stream stream) : hub_(hub), socket_(std::move(stream)) {
-    ++hub_.connections;
-  }
-
-  ~LiveClient() { --hub_.connections; }
-
-  LiveClient(const LiveClient&) = delete;
-  LiveClient& operator=(const LiveClient&) = delete;
-
-  void start(const http::request<http::string_body>& request) {
-    beast::get_lowest_layer(socket_).expires_never();
-    auto timeout = websocket::stream_base::timeout::suggested(beast::role_type::server);
-    timeout.keep_alive_pings = true;
-    timeout.idle_timeout = std::chrono::seconds(20);
-    socket_.set_option(timeout);
-    socket_.read_message_max(kMaxMessageBytes);
-    socket_.binary(true);
-    socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
-      if (!error) self->begin();
-    });
-  }
-
-  void push(const Text& events) {
-    if (events) events_.push_back(events);
-    has_new_state_ = true;
-    if (events_.size() > hub_.settings.max_queued_events) {
-      ++hub_.counts.overrun;
-      drop();
-      return;
-    }
-    write_next();
-  }
-
-  void drop() {
-    leave();
-    beast::get_lowest_layer(socket_).close();
-  }
-
- private:
-  void begin() {
-    ++hub_.counts.accepted;
-    ++hub_.counts.clients;
-    hub_.clients.insert(this);
-    message_ = hub_.settings.greeting;
-    events_ = hub_.past_events;
-    has_new_state_ = true;
-    write_next();
-    read_next();
-  }
-
-  void leave() {
-    if (hub_.clients.erase(this) != 0) --hub_.counts.clients;
-  }
-
-  /// One message: the newest state and all events that wait.
-  void write_next() {
-    if (is_writing_ || !has_new_state_ || !hub_.newest_state) return;
-    is_writing_ = true;
-    has_new_state_ = false;
-    message_ += *hub_.newest_state;
-    for (const Text& events : std::exchange(events_, {})) message_ += *events;
-    socket_.async_write(asio::buffer(message_),
-                        [self = shared_from_this()](ErrorCode error, std::size_t /*bytes*/) {
-                          self->is_writing_ = false;
-                          self->message_.clear();
-                          if (error) {
-                            self->drop();
-                          } else {
-                            self->write_next();
-                          }
-                        });
-  }
-
-  void read_next() {
-    socket_.async_read(incoming_,
-                       [self = shared_from_this()](ErrorCode error, std::size_t /*bytes*/) {
-                         self->finish(error);
-                       });
-  }
-
-  /// A read ends when the client leaves, or says something: the page has nothing to say.
-  void finish(ErrorCode error) {
-    const bool left = error == websocket::error::closed || error == asio::error::eof ||
-                      error == asio::error::connection_reset ||
-                      error == asio::error::operation_aborted || error == beast::error::timeout;
-    if (!left) ++hub_.counts.misbehaved;
-    leave();
-    if (error) return;
-    socket_.async_close({websocket::close_code::policy_error, "the station takes no messages"},
-                        [self = shared_from_this()](ErrorCode /*ignored*/) {});
-  }
-
-  Hub& hub_;
-  websocket::stream<beast::tcp_stream> socket_;
-  beast::flat_static_buffer<2 * kMaxMessageBytes> incoming_;
-  std::deque<Text> events_;
-  bool has_new_state_{false};
-  bool is_writing_{false};
-  std::string message_;
-};
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
@@ -174,13 +40,32 @@ Response plain(const Request& request, http::status status, std::string text) {
   return response;
 }
 
-Response answer_to(const Request& request, const WebFiles& files) {
+bool is_live(std::string_view target) {
+  return target.substr(0, target.find('?')) == "/live";
+}
+
+/// What stands behind "?token="; empty: nothing.
+std::string_view token_in(std::string_view target) {
+  constexpr std::string_view kKey = "?token=";
+  const auto found = target.find(kKey);
+  return found == std::string_view::npos ? std::string_view() : target.substr(found + kKey.size());
+}
+
+bool may_watch(std::string_view target, const WebServerSettings& settings) {
+  return settings.watch_token.empty() || is_same_secret(token_in(target), settings.watch_token);
+}
+
+Response answer_to(const Request& request, const WebServerSettings& settings) {
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     return plain(request, http::status::method_not_allowed, "only GET\n");
   }
   const std::string_view target = view_of(request.target());
-  const auto found = files.find(target.substr(0, target.find('?')));
-  if (found == files.end()) return plain(request, http::status::not_found, "no such page\n");
+  const auto found = settings.files.find(target.substr(0, target.find('?')));
+  if (found == settings.files.end())
+    return plain(request, http::status::not_found, "no such page\n");
+  if (found->second.is_private && !may_watch(target, settings)) {
+    return plain(request, http::status::unauthorized, "the station's token is needed\n");
+  }
   Response response{http::status::ok, request.version()};
   response.set(http::field::content_type, found->second.content_type);
   response.body() = found->second.body;
@@ -231,11 +116,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       ++hub_.counts.refused;
       respond(request, plain(request, http::status::forbidden, "foreign page\n"));
     } else if (!websocket::is_upgrade(request)) {
-      respond(request, answer_to(request, hub_.settings.files));
-    } else if (request.target() != "/live") {
+      respond(request, answer_to(request, hub_.settings));
+    } else if (!is_live(view_of(request.target()))) {
       respond(request, plain(request, http::status::not_found, "WebSocket is under /live\n"));
     } else {
-      std::make_shared<LiveClient>(hub_, std::move(stream_))->start(request);
+      const auto client = std::make_shared<LiveClient>(hub_, std::move(stream_));
+      if (!may_watch(view_of(request.target()), hub_.settings)) client->refuse();
+      client->start(request);
     }
   }
 
@@ -348,8 +235,20 @@ struct WebServer::Impl {
       hub.past_events.push_back(events);
       if (hub.past_events.size() > hub.settings.remembered_events) hub.past_events.pop_front();
     }
+    Text extra;
+    if (!broadcast.extra.empty()) {
+      extra = std::make_shared<const std::string>(std::move(broadcast.extra));
+    }
     const std::set<LiveClient*> clients = hub.clients;  // a client that is dropped leaves the set
-    for (LiveClient* client : clients) client->push(events);
+    for (LiveClient* client : clients) client->push(events, extra);
+  }
+
+  void tell(std::uint64_t id, std::string message) {
+    const auto text = std::make_shared<const std::string>(std::move(message));
+    const std::set<LiveClient*> clients = hub.clients;
+    for (LiveClient* client : clients) {
+      if (client->id() == id) client->push(nullptr, text);
+    }
   }
 
   Hub hub;
@@ -379,6 +278,20 @@ std::string WebServer::url() const {
 void WebServer::publish(Broadcast broadcast) {
   asio::post(impl_->io,
              [this, moved = std::move(broadcast)]() mutable { impl_->spread(std::move(moved)); });
+}
+
+std::vector<ClientMessage> WebServer::take_messages() {
+  return impl_->hub.mailbox.take();
+}
+
+int WebServer::event_fd() const noexcept {
+  return impl_->hub.mailbox.event_fd();
+}
+
+void WebServer::tell(std::uint64_t client, std::string message) {
+  asio::post(impl_->io, [this, client, moved = std::move(message)]() mutable {
+    impl_->tell(client, std::move(moved));
+  });
 }
 
 WebServerCounters WebServer::counters() const {

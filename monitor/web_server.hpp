@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "monitor/web_files.hpp"
 
@@ -26,13 +27,25 @@ struct WebServerSettings {
   std::size_t max_clients{64};         ///< connections beyond are closed at once
   std::size_t max_queued_events{256};  ///< of one client; one that falls further behind is closed
   std::size_t remembered_events{64};   ///< a new client is told so many of the past ones
+  std::string watch_token;             ///< needed to watch, as /live?token=...; empty: not needed
+  std::size_t max_requests_per_second{30};  ///< of one client; one that says more is closed
 };
 
 /// Encoded messages that may be joined end to end (protobuf reads them as one).
 struct Broadcast {
   std::string state;   ///< replaces the state before; a slow client skips to the newest
   std::string events;  ///< reaches every client, each in order; may be empty
+  std::string extra;   ///< as events, but not for clients that come later; may be empty
 };
+
+/// What a client said, unread.
+struct ClientMessage {
+  std::uint64_t client{0};
+  std::string bytes;
+};
+
+/// Close code of a connection without the right token.
+inline constexpr std::uint16_t kTokenNeeded = 4401;
 
 struct WebServerCounters {
   std::uint64_t accepted{0};    ///< WebSocket connections
@@ -44,8 +57,8 @@ struct WebServerCounters {
 
 /// HTTP for the page's files and WebSocket under /live, on a thread of its own.
 ///
-/// A page of another origin, and a page that reached us under a foreign name, is refused. Clients
-/// send nothing: whatever they send closes their connection.
+/// A page of another origin, and a page that reached us under a foreign name, is refused. What
+/// clients say is bounded in size and rate, and handed on unread.
 class WebServer {
  public:
   /// Listens at once.
@@ -63,6 +76,15 @@ class WebServer {
 
   /// Hands every client what is new. Returns at once; any thread.
   void publish(Broadcast broadcast);
+
+  /// What clients have said since the last call, oldest first. Any thread.
+  [[nodiscard]] std::vector<ClientMessage> take_messages();
+
+  /// Readable whenever there is something to take; cleared by `take_messages`.
+  [[nodiscard]] int event_fd() const noexcept;
+
+  /// An encoded message for one client; one that has left hears nothing. Any thread.
+  void tell(std::uint64_t client, std::string message);
 
   /// Any thread.
   [[nodiscard]] WebServerCounters counters() const;

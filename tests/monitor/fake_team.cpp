@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace teamsight::test {
 namespace {
@@ -100,6 +101,37 @@ WorldObstacle obstacle_at(std::size_t index, double t) {
   return obstacle;
 }
 
+/// The ball from a mirror 0.7 m above the floor; robot 4 looks past it, as its quarantine says.
+BallRay ball_ray_of(RobotId robot, double t) {
+  const double aside = robot == 4 ? 1.2 : 0.05;
+  const Eigen::Vector2d p_RB = pose_of(robot, t).rotation().transpose() *
+                               (ball_at(t).p + Eigen::Vector2d(aside, 0.0) - robot_at(robot, t).p);
+  const Eigen::Vector3d direction = Eigen::Vector3d(p_RB.x(), p_RB.y(), 0.11 - 0.7).normalized();
+  BallRay ball;
+  ball.ray_R.origin = {0.0, 0.0, 0.7};
+  ball.ray_R.direction = direction;
+  ball.cov_direction = 1e-4 * Eigen::Matrix2d::Identity();
+  ball.confidence = 0.9;
+  return ball;
+}
+
+/// The opponents within its sight.
+std::vector<ObstacleSighting> obstacles_of(RobotId robot, double t) {
+  std::vector<ObstacleSighting> sightings;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Eigen::Vector2d p_RO =
+        pose_of(robot, t).rotation().transpose() * (opponent_at(i, t).p - robot_at(robot, t).p);
+    if (p_RO.norm() > 6.0) continue;
+    ObstacleSighting sighting;
+    sighting.p_RO = {p_RO.x(), p_RO.y()};
+    sighting.cov_R = 0.04 * Eigen::Matrix2d::Identity();
+    sighting.width = 0.5;
+    sighting.confidence = 0.9;
+    sightings.push_back(sighting);
+  }
+  return sightings;
+}
+
 }  // namespace
 
 bus::RobotState fake_state(const ObservationId& id, HostTime exposure) {
@@ -127,6 +159,8 @@ bus::Sightings fake_sightings(const ObservationId& id, HostTime exposure) {
   sightings.published = stamp_of(exposure + kDelay);
   sightings.posture = posture_of(id.robot, t);
   sightings.light = bus::Light::kGood;
+  if (id.robot != 1) sightings.balls.push_back(ball_ray_of(id.robot, t));
+  sightings.obstacles = obstacles_of(id.robot, t);
   return sightings;
 }
 

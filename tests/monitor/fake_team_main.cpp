@@ -9,6 +9,7 @@
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
+#include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
@@ -34,16 +35,59 @@ class Health {
   process::ProcessMeter meter_;
 };
 
+/// What a robot makes of its orders: all are acknowledged and told on stdout, but by robot 5.
+class Obedience {
+ public:
+  Obedience(const bus::Participant& participant, bus::Loop& loop, RobotId robot)
+      : reader_(participant),
+        robot_(robot) {
+    loop.on_readable(reader_.event_fd(), [this]() { listen(); });
+  }
+
+  [[nodiscard]] std::uint32_t acknowledged() const { return acknowledged_; }
+
+  [[nodiscard]] bool is_muted() const { return is_muted_; }
+
+ private:
+  static constexpr RobotId kDeaf = 5;
+
+  void listen() {
+    reader_.take(bus::host_now(), [this](const bus::Sample<bus::Command>& sample) {
+      if (!sample.message || robot_ == kDeaf) return;
+      const bus::Command& command = *sample.message;
+      const bool is_mine = command.target == kNobody || command.target == robot_;
+      if (!is_mine || command.command == acknowledged_) return;
+      acknowledged_ = command.command;
+      if (command.kind == bus::CommandKind::kMute) is_muted_ = true;
+      if (command.kind == bus::CommandKind::kUnmute) is_muted_ = false;
+      std::printf("{\"command\": %u, \"x_m\": %.3f, \"y_m\": %.3f, \"theta_rad\": %.3f}\n",
+                  static_cast<unsigned>(command.kind),
+                  command.X_FR.x(),
+                  command.X_FR.y(),
+                  command.X_FR.theta());
+      std::fflush(stdout);
+    });
+  }
+
+  bus::Reader<bus::Command> reader_;
+  RobotId robot_;
+  std::uint32_t acknowledged_{0};
+  bool is_muted_{false};
+};
+
 void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId robot) {
   ObservationId id{robot, process::draw_boot_id(), 0};
+  const Obedience obedience(participant, loop, robot);
   bus::Writer<bus::RobotState> states(participant);
   bus::Writer<bus::Sightings> sightings(participant);
   Health health(participant, "agent/" + std::to_string(robot), id);
   loop.every(kFrame, [&]() {
     ++id.sequence;
     const HostTime exposure = bus::host_now() - kExposedBefore;
-    states.write(fake_state(id, exposure));
-    sightings.write(fake_sightings(id, exposure));
+    bus::RobotState state = fake_state(id, exposure);
+    state.command_acknowledged = obedience.acknowledged();
+    states.write(state);
+    if (!obedience.is_muted()) sightings.write(fake_sightings(id, exposure));
   });
   loop.every(std::chrono::seconds(1), [&]() { health.tell(); });
   loop.run();

@@ -26,13 +26,15 @@ namespace teamsight::test {
 /// One connection to /live. Blocks; the test's time limit bounds it.
 class Watcher {
  public:
-  explicit Watcher(const std::string& host, const std::string& origin = {})
+  explicit Watcher(const std::string& host,
+                   const std::string& origin = {},
+                   const std::string& target = "/live")
       : socket_(connect_to(io_, host)) {
     using Decorator = boost::beast::websocket::stream_base::decorator;
     socket_.set_option(Decorator([&](boost::beast::websocket::request_type& request) {
       if (!origin.empty()) request.set(boost::beast::http::field::origin, origin);
     }));
-    socket_.handshake(host, "/live", error_);
+    socket_.handshake(host, target, error_);
     is_refused_ = error_.failed();
   }
 
@@ -40,6 +42,11 @@ class Watcher {
   [[nodiscard]] bool is_refused() const { return is_refused_; }
 
   void send(const std::string& text) { socket_.write(boost::asio::buffer(text), error_); }
+
+  void send_binary(const std::string& bytes) {
+    socket_.binary(true);
+    send(bytes);
+  }
 
   /// The next message; empty when the connection ended.
   std::string next() {

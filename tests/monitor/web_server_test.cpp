@@ -104,11 +104,11 @@ TEST(WebServer, AnswersHeadWithoutABodyAndRefusesOtherMethods) {
 
 TEST(WebServer, GreetsAndPushesEveryUpdate) {
   WebServer server(test_settings());
-  server.publish({"[state 1]", "[event 1]"});
+  server.publish({"[state 1]", "[event 1]", ""});
   Watcher watcher(host_of(server), server.url().substr(0, server.url().size() - 1));
 
   const std::string first = watcher.next();
-  server.publish({"[state 2]", ""});
+  server.publish({"[state 2]", "", ""});
   const std::string second = watcher.next();
 
   EXPECT_EQ(first, "hello [state 1][event 1]");
@@ -128,9 +128,9 @@ TEST(WebServer, RefusesAPageOfAnotherOrigin) {
   EXPECT_EQ(server.counters().refused, 2U);
 }
 
-TEST(WebServer, ClosesWhoeverSendsSomething) {
+TEST(WebServer, ClosesWhoeverSendsWhatNoPageSends) {
   WebServer server(test_settings());
-  server.publish({"[state]", ""});
+  server.publish({"[state]", "", ""});
   Watcher garbage(host_of(server));
   Watcher huge(host_of(server));
   ASSERT_EQ(garbage.next(), "hello [state]");
@@ -145,6 +145,65 @@ TEST(WebServer, ClosesWhoeverSendsSomething) {
   EXPECT_TRUE(test::wait_until([&]() { return server.counters().misbehaved == 2U; }, kBound));
   EXPECT_TRUE(test::wait_until([&]() { return server.counters().clients == 0U; }, kBound));
   EXPECT_EQ(get(server, "/").result_int(), 200U);
+}
+
+TEST(WebServer, HandsOnWhatAPageSaysAndAnswersOnlyThatPage) {
+  WebServer server(test_settings());
+  server.publish({"[state]", "", ""});
+  Watcher one(host_of(server));
+  Watcher other(host_of(server));
+  ASSERT_EQ(one.next(), "hello [state]");
+  ASSERT_EQ(other.next(), "hello [state]");
+
+  one.send_binary("an order");
+  std::vector<ClientMessage> messages;
+  ASSERT_TRUE(test::wait_until(
+      [&]() {
+        if (messages.empty()) messages = server.take_messages();
+        return !messages.empty();
+      },
+      kBound));
+  EXPECT_EQ(messages[0].bytes, "an order");
+  server.tell(messages[0].client, "[answer]");
+  server.tell(messages[0].client + 77, "[to nobody]");
+
+  EXPECT_EQ(one.next(), "[state][answer]");
+  server.publish({"[state 2]", "", "[picture]"});
+  EXPECT_EQ(other.next(), "[state 2][picture]");
+  EXPECT_EQ(Watcher(host_of(server)).next(), "hello [state 2]") << "pictures are not remembered";
+}
+
+TEST(WebServer, ClosesWhoeverSaysTooMuchInASecond) {
+  WebServer server(test_settings());
+  server.publish({"[state]", "", ""});
+  Watcher babbler(host_of(server));
+  ASSERT_EQ(babbler.next(), "hello [state]");
+
+  for (int i = 0; i < 40; ++i) babbler.send_binary("again");
+
+  EXPECT_EQ(babbler.next(), "");
+  EXPECT_TRUE(test::wait_until([&]() { return server.counters().misbehaved == 1U; }, kBound));
+  EXPECT_LE(server.take_messages().size(), 30U);
+}
+
+TEST(WebServer, ShowsNothingWithoutTheTokenWhereOneIsNeeded) {
+  WebServerSettings settings = test_settings();
+  settings.watch_token = "secret";
+  settings.files["/recording.bin"] = {"application/octet-stream", "past", true};
+  WebServer server(std::move(settings));
+  server.publish({"[state]", "", ""});
+
+  Watcher without(host_of(server));
+  Watcher wrong(host_of(server), "", "/live?token=secreT");
+  Watcher with(host_of(server), "", "/live?token=secret");
+
+  EXPECT_EQ(without.next(), "");
+  EXPECT_EQ(without.close_code(), kTokenNeeded);
+  EXPECT_EQ(wrong.next(), "");
+  EXPECT_EQ(with.next(), "hello [state]");
+  EXPECT_EQ(get(server, "/recording.bin").result_int(), 401U);
+  EXPECT_EQ(get(server, "/recording.bin?token=secret").body(), "past");
+  EXPECT_EQ(get(server, "/").result_int(), 200U) << "the page itself is no secret";
 }
 
 TEST(WebServer, SurvivesBytesThatAreNoHttp) {
@@ -166,7 +225,7 @@ TEST(WebServer, SurvivesBytesThatAreNoHttp) {
 
 TEST(WebServer, ASlowClientSkipsStatesButGetsEveryEvent) {
   WebServer server(test_settings());
-  server.publish({"[state -1]", ""});
+  server.publish({"[state -1]", "", ""});
   Watcher slow(host_of(server));
   ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
   constexpr int kStates = 1000;
@@ -176,7 +235,7 @@ TEST(WebServer, ASlowClientSkipsStatesButGetsEveryEvent) {
   for (int i = 0; i < kStates; ++i) {
     const std::string event = i % 10 == 0 ? "<" + std::to_string(i) + ">" : "";
     sent_events += event;
-    server.publish({"[state " + std::to_string(i) + "]" + padding, event});
+    server.publish({"[state " + std::to_string(i) + "]" + padding, event, ""});
   }
   std::string all;
   int messages = 0;
@@ -201,14 +260,14 @@ TEST(WebServer, ClosesAClientThatFallsBehindWithEvents) {
   WebServerSettings settings = test_settings();
   settings.max_queued_events = 20;
   WebServer server(std::move(settings));
-  server.publish({"[state]", ""});
+  server.publish({"[state]", "", ""});
   const Watcher stuck(host_of(server));
   ASSERT_TRUE(test::wait_until([&]() { return server.counters().clients == 1U; }, kBound));
   const std::string padding(200'000, '.');
 
   // States merge while one is being sent, so no number of them surely fills the socket's buffers.
   const auto is_overrun = [&]() {
-    server.publish({padding, "<event>"});
+    server.publish({padding, "<event>", ""});
     return server.counters().overrun == 1U;
   };
 
@@ -221,7 +280,7 @@ TEST(WebServer, TellsANewClientThePastEvents) {
   WebServerSettings settings = test_settings();
   settings.remembered_events = 2;
   WebServer server(std::move(settings));
-  for (const char* event : {"<1>", "<2>", "<3>"}) server.publish({"[s]", event});
+  for (const char* event : {"<1>", "<2>", "<3>"}) server.publish({"[s]", event, ""});
 
   Watcher late(host_of(server));
 
@@ -232,7 +291,7 @@ TEST(WebServer, TakesNoMoreConnectionsThanItsBound) {
   WebServerSettings settings = test_settings();
   settings.max_clients = 1;
   WebServer server(std::move(settings));
-  server.publish({"[state]", ""});
+  server.publish({"[state]", "", ""});
   Watcher first(host_of(server));
   ASSERT_EQ(first.next(), "hello [state]");
 

@@ -1,0 +1,75 @@
+// monitor/order_desk.cpp: see monitor/order_desk.hpp.
+#include "monitor/order_desk.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace teamsight::monitor {
+namespace {
+
+constexpr Duration kPatience = std::chrono::seconds(3);
+constexpr Duration kRepeat = std::chrono::milliseconds(300);
+constexpr Duration kShown = std::chrono::seconds(10);
+constexpr std::size_t kMostPending = 64;
+
+}  // namespace
+
+OrderDesk::OrderDesk(std::uint32_t boot) : boot_(boot), next_command_(boot | 1U) {}
+
+bus::Command OrderDesk::take(const RobotOrder& order,
+                             const std::vector<RobotId>& alive,
+                             HostTime now) {
+  Pending pending;
+  pending.command = order.command;
+  pending.command.id = {kNobody, boot_, ++sequence_};
+  pending.command.command = next_command_;
+  next_command_ = next_command_ + 1 == 0 ? 1 : next_command_ + 1;
+  pending.text = order.text;
+  pending.given = pending.written = now;
+  if (order.command.target == kNobody) {
+    pending.waits_for.insert(alive.begin(), alive.end());
+  } else {
+    pending.waits_for.insert(order.command.target);
+  }
+  if (pending_.size() == kMostPending) pending_.erase(pending_.begin());
+  pending_.push_back(pending);
+  return pending.command;
+}
+
+void OrderDesk::hear(RobotId robot, std::uint32_t acknowledged) {
+  for (Pending& pending : pending_) {
+    if (pending.command.command == acknowledged) pending.waits_for.erase(robot);
+  }
+}
+
+std::vector<bus::Command> OrderDesk::due(HostTime now) {
+  std::vector<bus::Command> commands;
+  for (Pending& pending : pending_) {
+    const bool waits = !pending.waits_for.empty() && now - pending.given < kPatience;
+    if (!waits || now - pending.written < kRepeat) continue;
+    pending.written = now;
+    pending.command.id.sequence = ++sequence_;
+    commands.push_back(pending.command);
+  }
+  return commands;
+}
+
+std::vector<ActionReport> OrderDesk::report(HostTime now) {
+  std::erase_if(pending_, [&](const Pending& pending) { return now - pending.given > kShown; });
+  std::vector<ActionReport> reports;
+  for (const Pending& pending : pending_) {
+    ActionReport report;
+    report.command = pending.command.command;
+    report.text = pending.text;
+    report.age = now - pending.given;
+    if (pending.waits_for.empty()) {
+      report.state = ActionState::kDone;
+    } else if (report.age >= kPatience) {
+      report.state = ActionState::kNoAnswer;
+    }
+    reports.push_back(report);
+  }
+  return reports;
+}
+
+}  // namespace teamsight::monitor

@@ -1,0 +1,53 @@
+// monitor/order_desk.hpp: orders to the robots, repeated until they are acknowledged.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bus/messages.hpp"
+#include "geometry/time.hpp"
+#include "monitor/order.hpp"
+#include "monitor/update.hpp"
+
+namespace teamsight::monitor {
+
+/// Follows every order until its robots acknowledge it, or for three seconds. A value; no clock.
+class OrderDesk {
+ public:
+  /// @param boot  of this start of the station; orders are numbered from a number made of it, so
+  /// that
+  ///              a robot that has seen an earlier station does not take an old number for ours
+  explicit OrderDesk(std::uint32_t boot);
+
+  /// @param alive  the robots that an order to all has to reach
+  /// @return the command to write now
+  bus::Command take(const RobotOrder& order, const std::vector<RobotId>& alive, HostTime now);
+
+  /// A robot says what it has carried out.
+  void hear(RobotId robot, std::uint32_t acknowledged);
+
+  /// The commands to write again: those not acknowledged yet.
+  [[nodiscard]] std::vector<bus::Command> due(HostTime now);
+
+  /// For the page; orders leave ten seconds after they were given.
+  [[nodiscard]] std::vector<ActionReport> report(HostTime now);
+
+ private:
+  struct Pending {
+    bus::Command command;
+    std::string text;
+    HostTime given;
+    HostTime written;
+    std::set<RobotId> waits_for;
+  };
+
+  std::uint32_t boot_;
+  std::uint32_t next_command_;
+  std::uint32_t sequence_{0};
+  std::vector<Pending> pending_;
+};
+
+}  // namespace teamsight::monitor

@@ -1,0 +1,157 @@
+// monitor/replay.cpp: see monitor/replay.hpp.
+#include "monitor/replay.hpp"
+
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "bus/topics.hpp"
+#include "monitor.pb.h"
+#include "monitor/recording_feed.hpp"
+#include "monitor/update_to_proto.hpp"
+#include "recording/from_proto.hpp"
+#include "recording/mcap_reader.hpp"
+
+namespace teamsight::monitor {
+namespace {
+
+/// Who a sample's writer is, where readers tell instances apart.
+template <class Message>
+std::uint64_t instance_of(const Message& message) {
+  return message.id.robot;
+}
+
+/// The station that sees a recording go by, and what it showed.
+class Projector {
+ public:
+  Projector(const StationParameters& parameters, bool has_events)
+      : station_(parameters),
+        has_events_(has_events) {
+    feed<bus::RobotState>();
+    feed<bus::Sightings>();
+    feed<WorldModel>();
+    feed<bus::Explanation>();
+    feed<bus::Diagnostics>();
+    feed<bus::LinePoints>();
+    feed<bus::Thumbnail>();
+    feed<bus::Truth>();
+    hears_[std::string(bus::topic_profile<bus::GameState>().topic)] = [this](auto payload,
+                                                                             auto at) {
+      const auto game = recording::from_payload<bus::GameState>(payload);
+      if (game) note_game(*game, at);
+      if (game) game_ = RefereeReport{*game, {}, game->box_connected, 0.0, 0, 0};
+      return game.has_value();
+    };
+    hears_[kEventTopic] = [this](auto payload, auto) {
+      return events_.ParseFromString(std::string(payload)) && merge_events();
+    };
+  }
+
+  /// @return false if nobody would have taken it
+  bool hear(const std::string& topic, std::string_view payload, HostTime received) {
+    const auto found = hears_.find(topic);
+    return found == hears_.end() || found->second(payload, received);
+  }
+
+  void show(HostTime now, Replay& replay) {
+    Update update = station_.update(now);
+    if (game_) update.referee = game_;
+    v1::MonitorUpdate message;
+    to_proto(update, message);
+    thumbnails_to_proto(update, message);
+    if (!has_events_) events_to_proto(update, message);
+    message.MergeFrom(pending_);
+    pending_.Clear();
+    const std::string bytes = message.SerializeAsString();
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      replay.body.push_back(static_cast<char>((bytes.size() >> shift) & 0xFFU));
+    }
+    replay.body += bytes;
+    ++replay.updates;
+  }
+
+ private:
+  using Hear = std::function<bool(std::string_view, HostTime)>;
+
+  template <class Message>
+  void feed() {
+    hears_[std::string(bus::topic_profile<Message>().topic)] = [this](std::string_view payload,
+                                                                      HostTime received) {
+      bus::Sample<Message> sample;
+      sample.message = recording::from_payload<Message>(payload);
+      if (!sample.message) return false;
+      sample.instance = instance_of(*sample.message);
+      sample.received = received;
+      station_.hear(sample);
+      return true;
+    };
+  }
+
+  /// Of a recording without the station's own events: where the game was stopped or went on.
+  void note_game(const bus::GameState& game, HostTime at) {
+    const bool was_running = game_ && game_->state.running;
+    if (game.running != was_running) {
+      station_.note(at, Level::kInfo, game.running ? "Referee: START" : "Referee: STOP");
+    }
+  }
+
+  bool merge_events() {
+    pending_.MergeFrom(events_);
+    return true;
+  }
+
+  Station station_;
+  bool has_events_;
+  std::optional<RefereeReport> game_;
+  v1::MonitorUpdate events_;
+  v1::MonitorUpdate pending_;  ///< recorded events since the last update
+  std::map<std::string, Hear, std::less<>> hears_;
+};
+
+std::string fact(const recording::Contents& contents, const std::string& name) {
+  const auto facts = contents.metadata.find("teamsight.recording");
+  if (facts == contents.metadata.end()) return {};
+  const auto found = facts->second.find(name);
+  return found == facts->second.end() ? std::string() : found->second;
+}
+
+bool has_topic(const recording::Contents& contents, const std::string& topic) {
+  for (const auto& [id, channel] : contents.channels) {
+    if (channel.topic == topic) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Replay load_replay(const std::filesystem::path& file, const StationParameters& parameters) {
+  const recording::McapReader reader(file);
+  const recording::Contents& contents = reader.contents();
+  Replay replay;
+  replay.team = fact(contents, "team");
+  replay.damage = contents.damage;
+  replay.date_minus_stamp =
+      Duration{std::strtoll(fact(contents, "log_minus_host_ns").c_str(), nullptr, 10)};
+  Projector projector(parameters, has_topic(contents, kEventTopic));
+  const auto host_time = [&](std::int64_t log_ns) {
+    return HostTime{Duration{log_ns} - replay.date_minus_stamp};
+  };
+  HostTime next = host_time(contents.span.from_ns) + kReplayStep;
+  reader.for_each({}, [&](const recording::Message& message) {
+    const HostTime received = host_time(message.stamp.log_ns);
+    // A pause of hours in a file is one update, not thousands.
+    if (received - next > std::chrono::seconds(60)) next = received;
+    for (; received >= next; next += kReplayStep) projector.show(next, replay);
+    if (!projector.hear(message.channel->topic, message.payload, received)) ++replay.skipped;
+    return true;
+  });
+  projector.show(next, replay);
+  if (contents.messages == 0) {
+    throw recording::RecordingError(file.string() + ": holds no message to show");
+  }
+  return replay;
+}
+
+}  // namespace teamsight::monitor
