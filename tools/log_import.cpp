@@ -28,8 +28,8 @@ namespace {
 using nlohmann::json;
 
 // The league's world states tell no uncertainty. What is drawn is the spread that was measured
-// between one team's obstacles and the other team's own postures, about half a metre.
-constexpr double kAssumedVar = 0.25 * 0.25;
+// between one team's obstacles and the other team's own postures, about half a metre in the plane.
+constexpr double kAssumedVar = 0.5 * 0.5 / 2.0;  // m^2, per axis
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr RobotId kImporter = 1;
 

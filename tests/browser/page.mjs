@@ -28,7 +28,7 @@ async function checkLayout(page) {
     const found = [];
     const root = document.documentElement;
     if (root.scrollHeight > innerHeight || root.scrollWidth > innerWidth) found.push("the page scrolls");
-    for (const selector of [".bar", ".field", ".ball", ".processes", ".log", ".robots"]) {
+    for (const selector of [".bar", ".field", ".ball", ".processes", ".log", ".timeline", ".robots"]) {
       const box = document.querySelector(selector).getBoundingClientRect();
       if (box.width < 50 || box.height < 20) found.push(`${selector} has no size`);
       if (box.right > innerWidth + 1 || box.bottom > innerHeight + 1) found.push(`${selector} sticks out`);
@@ -109,6 +109,100 @@ const scenarios = {
     await page.waitForFunction(() => document.getElementById("silence").textContent.includes("Nothing heard yet"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-nothing-heard.png") });
   },
+};
+
+/** The test's robots have been told to move; "done" of the page and of the robot are both looked at. */
+scenarios.relocates = async (page) => {
+  await waitForMark(page, "LIVE");
+  await page.click('tbody tr[data-robot="2"]');
+  await page.click("#relocate");
+  const box = await (await page.$("svg.pitch")).boundingBox();
+  const [x, y] = [box.x + box.width * 0.5, box.y + box.height * 0.5];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 60, { steps: 4 });
+  await page.screenshot({ path: join(folder, "page-relocate.png") });
+  await page.mouse.up();
+  await page.waitForSelector(".action.done", BOUND);
+  say({ relocated: await page.textContent(".action.done") });
+  await page.click('tbody tr[data-robot="5"]');
+  await page.click("#mute");
+  await page.waitForSelector(".action.no-answer", BOUND);
+  await page.screenshot({ path: join(folder, "page-orders.png") });
+  say({ not_answered: await page.textContent(".action.no-answer") });
+};
+
+scenarios.scrubs = async (page) => {
+  await waitForMark(page, "LIVE");
+  await page.waitForSelector('.robot.fresh[data-robot="2"]', BOUND);
+  const then = await positionOf(page, 2);
+  const far = (old) => {
+    const mark = document.querySelector('.robot[data-robot="2"]');
+    return Math.hypot(Number(mark.dataset.x) - old.x, Number(mark.dataset.y) - old.y) > 0.8;
+  };
+  await page.waitForFunction(far, then, BOUND);
+  await page.keyboard.press(" ");
+  await waitForMark(page, "PAUSED");
+  const paused = await positionOf(page, 2);
+  await page.waitForTimeout(300);
+  const still = await positionOf(page, 2);
+  expect(still.x === paused.x && still.y === paused.y, "a paused page moves");
+  await page.$eval("#scrub", (slider) => {
+    slider.value = "0";
+    slider.dispatchEvent(new Event("input"));
+  });
+  await page.waitForFunction(far, paused, BOUND);
+  expect((await page.textContent("#position")).startsWith("−"), "the page does not say how far back it is");
+  await page.screenshot({ path: join(folder, "page-paused.png") });
+  await page.keyboard.press(" ");
+  await waitForMark(page, "REPLAY");
+  await page.keyboard.press("l");
+  await waitForMark(page, "LIVE");
+};
+
+scenarios.replays = async (page) => {
+  await waitForMark(page, "REPLAY");
+  await page.waitForSelector('.robot[data-robot="2"]', BOUND);
+  await page.waitForSelector(".ball-mark .body", BOUND);
+  await page.keyboard.press("+");
+  await waitForMark(page, "PAUSED");
+  expect((await page.textContent("#position")) > "00:00.5", "the recording did not run");
+  const end = await positionOf(page, 2);
+  for (let i = 0; i < 12; ++i) await page.keyboard.press(",");
+  await page.waitForFunction(
+    (old) => Math.abs(Number(document.querySelector('.robot[data-robot="2"]').dataset.x) - old.x) > 0.02,
+    end,
+    BOUND,
+  );
+  await page.screenshot({ path: join(folder, "page-replay.png") });
+};
+
+/** The test puts the token into the address's fragment, which this scenario takes away first. */
+scenarios.asks = async (page) => {
+  await page.waitForSelector("#token-dialog[open]", BOUND);
+  expect(await page.$eval("#mark", (mark) => mark.textContent === "NO DATA"), "something is shown without the token");
+  await page.fill("#token", process.env.TOKEN);
+  await page.keyboard.press("Enter");
+  await waitForMark(page, "LIVE");
+};
+
+/** Second level, for the eyes. */
+scenarios.looks = async (page) => {
+  await page.setViewportSize({ width: 1920, height: 1080 });
+  await waitForMark(page, "LIVE");
+  await page.waitForSelector('.robot.fresh[data-robot="5"]', BOUND);
+  await page.keyboard.press("v");
+  await page.keyboard.press("2");
+  await page.waitForSelector(".raw .ray", BOUND);
+  await page.screenshot({ path: join(folder, "page-robot.png") });
+  await page.keyboard.press("3");
+  await page.waitForTimeout(2500);
+  await page.screenshot({ path: join(folder, "page-plots.png") });
+  await page.keyboard.press("d");
+  await page.keyboard.press("4");
+  await page.click('[data-command="KICKOFF"]');
+  await page.waitForFunction(() => document.getElementById("game").textContent === "our kick-off", undefined, BOUND);
+  await page.screenshot({ path: join(folder, "page-light.png") });
 };
 
 const profile = mkdtempSync(join(tmpdir(), "teamsight-chromium-"));

@@ -31,20 +31,28 @@ class Page : public ::testing::Test {
  protected:
   void SetUp() override {
     start_station("0");
-    const std::string line = station_->out();
-    const auto begin = line.find("http://");
-    url_ = line.substr(begin, line.find('"', begin) - begin);
+    read_addresses();
     std::filesystem::create_directories(TEAMSIGHT_ARTEFACTS);
   }
 
-  void start_station(const std::string& port) {
-    station_.emplace(std::vector<std::string>{test::program("teamsight-monitor"),
-                                              "--team",
-                                              test::source_path("config/teams/demo.textproto"),
-                                              "--team-domain",
-                                              std::to_string(test::unique_domain()),
-                                              "--port",
-                                              port});
+  void read_addresses() {
+    const std::string line = station_->out();
+    const auto begin = line.find("http://");
+    url_ = line.substr(begin, line.find('"', begin) - begin);
+    const auto token = line.find("#token=") + 7;
+    token_ = line.substr(token, line.find('"', token) - token);
+  }
+
+  void start_station(const std::string& port, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> argv{test::program("teamsight-monitor"),
+                                  "--team",
+                                  test::source_path("config/teams/demo.textproto"),
+                                  "--team-domain",
+                                  std::to_string(test::unique_domain()),
+                                  "--port",
+                                  port};
+    argv.insert(argv.end(), more.begin(), more.end());
+    station_.emplace(argv);
     ASSERT_TRUE(test::wait_until([&]() { return !station_->out().empty(); }, kBound))
         << station_->err();
   }
@@ -68,14 +76,16 @@ class Page : public ::testing::Test {
     start_fake("fusion", "3");
   }
 
-  [[nodiscard]] ChildProcess open(const std::string& scenario) const {
+  /// @param fragment  of the address, e.g. "#token=..."
+  [[nodiscard]] ChildProcess open(const std::string& scenario,
+                                  const std::string& fragment = {}) const {
     return ChildProcess({"/usr/bin/env",
                          "node",
                          test::source_path("tests/browser/page.mjs"),
                          scenario,
-                         url_,
+                         url_ + fragment,
                          TEAMSIGHT_ARTEFACTS},
-                        {{"PAGE_DIR", TEAMSIGHT_PAGE_DIR}});
+                        {{"PAGE_DIR", TEAMSIGHT_PAGE_DIR}, {"TOKEN", token_}});
   }
 
   static bool says(const ChildProcess& browser, const std::string& word) {
@@ -86,6 +96,7 @@ class Page : public ::testing::Test {
   std::optional<ChildProcess> station_;
   std::vector<ChildProcess> fakes_;
   std::string url_;
+  std::string token_;
 };
 
 TEST_F(Page, ShowsTheTeamMovingOnOneScreen) {
@@ -133,6 +144,69 @@ TEST_F(Page, ComesBackAfterTheStationWasStartedAgain) {
   station_->end();
   ASSERT_TRUE(says(browser, "gone")) << browser.err();
   start_station(port());
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
+TEST_F(Page, RelocatesARobotByDragAndSaysWhatTheRobotsAnswer) {
+  start_team();
+
+  ChildProcess browser = open("relocates", "#token=" + token_);
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+  EXPECT_THAT(browser.out(), HasSubstr("relocate robot 2"));
+  EXPECT_THAT(browser.out(), HasSubstr("mute robot 5"));
+  // Dragged upwards on the screen: it looks to the left, along y.
+  EXPECT_THAT(fakes_.at(1).out(), HasSubstr("\"command\": 1, "));
+  EXPECT_THAT(fakes_.at(1).out(), HasSubstr("\"theta_rad\": 1.571"));
+}
+
+TEST_F(Page, ScrubsBackThroughThePastWhileLive) {
+  start_team();
+
+  ChildProcess browser = open("scrubs");
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
+TEST_F(Page, AsksForTheTokenWhenOthersCanReachIt) {
+  station_->end();
+  start_station("0", {"--bind", "0.0.0.0"});
+  read_addresses();
+  url_ = "http://127.0.0.1:" + port() + "/";
+  start_team();
+
+  ChildProcess browser = open("asks");
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
+TEST_F(Page, ReplaysARecording) {
+  const test::TempDirectory folder;
+  station_->end();
+  start_team();
+  start_station("0", {"--record", folder.path()});
+  ASSERT_TRUE(test::wait_until(
+      [&]() {
+        const auto file = std::filesystem::directory_iterator(folder.path());
+        return file != std::filesystem::directory_iterator() && file->file_size() > 150'000;
+      },
+      kBound));
+  station_->end();
+  fakes_.clear();
+  const auto file = std::filesystem::directory_iterator(folder.path())->path();
+  start_station("0", {"--replay", file});
+  read_addresses();
+
+  ChildProcess browser = open("replays");
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
+TEST_F(Page, LooksCloserAndTakesRefereeCommandsByHand) {
+  start_team();
+
+  ChildProcess browser = open("looks", "#token=" + token_);
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
 }

@@ -4,6 +4,7 @@ import type { Truth } from "./generated/recording_pb";
 import type { Ellipse } from "./ellipse";
 import { Keyed, set, svg, write } from "./dom";
 import type { BallMark, ObstacleMark, RobotMark, Scene } from "./scene";
+import { RawLayer, Trails } from "./raw_layer";
 import { UNITS, View } from "./view";
 
 /** An arrow shows where something will be after so many seconds. */
@@ -42,12 +43,14 @@ function makeSymbol(parent: Element, kind: string, body: "circle" | "rect"): Sym
 export class FieldView {
   private readonly root: SVGSVGElement;
   private readonly paint: SVGGElement;
-  private readonly layers: Record<"truth" | "links" | "obstacles" | "robots" | "balls", SVGGElement>;
+  private readonly layers: Record<"truth" | "raw" | "trails" | "links" | "obstacles" | "robots" | "balls" | "ghost", SVGGElement>;
   private readonly robots: Keyed<Symbol>;
   private readonly balls: Keyed<Symbol>;
   private readonly obstacles: Keyed<Symbol>;
   private readonly links: Keyed<SVGLineElement>;
   private readonly truths: Keyed<SVGCircleElement>;
+  private readonly raw: RawLayer;
+  private readonly trails: Trails;
   private view = new View(false);
   private field: MonitorField | undefined;
   private unitsPerPixel = 1;
@@ -60,11 +63,16 @@ export class FieldView {
     const layer = (name: string): SVGGElement => svg("g", { class: `layer-${name}` }, this.root);
     this.layers = {
       truth: layer("truth"),
+      raw: layer("raw"),
+      trails: layer("trails"),
       links: layer("links"),
       obstacles: layer("obstacles"),
       robots: layer("robots"),
       balls: layer("balls"),
+      ghost: layer("ghost"),
     };
+    this.raw = new RawLayer(this.layers.raw);
+    this.trails = new Trails(this.layers.trails);
     const symbols = (kind: string, body: "circle" | "rect", on: SVGGElement): Keyed<Symbol> =>
       new Keyed(() => {
         const item = makeSymbol(on, kind, body);
@@ -101,7 +109,29 @@ export class FieldView {
     if (this.field) this.setField(this.field);
   }
 
-  draw(scene: Scene, update: MonitorUpdate): void {
+  /** A point of the screen in F, metres. */
+  toField(clientX: number, clientY: number): { x: number; y: number } {
+    const matrix = this.root.getScreenCTM();
+    if (!matrix) return { x: 0, y: 0 };
+    const at = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    const sign = this.view.flipped ? -1 : 1;
+    return { x: (sign * at.x) / UNITS, y: (-sign * at.y) / UNITS };
+  }
+
+  /** Where a robot is being put, in F; nothing: no more. */
+  ghost(from: { x: number; y: number } | undefined, to: { x: number; y: number } | undefined): void {
+    this.layers.ghost.replaceChildren();
+    if (!from || !to) return;
+    const [a, b] = [this.view.place(from.x, from.y), this.view.place(to.x, to.y)];
+    svg("circle", { class: "ghost", cx: a.x, cy: a.y, r: Math.max(ROBOT_M * UNITS, ROBOT_PX * this.unitsPerPixel) }, this.layers.ghost);
+    svg("line", { class: "ghost", x1: a.x, y1: a.y, x2: b.x, y2: b.y, "stroke-width": 3 * this.unitsPerPixel, "marker-end": "url(#head)" }, this.layers.ghost);
+  }
+
+  /** @param raw  what each robot sees: "none", "all", or one robot's */
+  draw(scene: Scene, update: MonitorUpdate, raw: "none" | "all" | number): void {
+    if (raw === "none") this.raw.clear();
+    else this.raw.draw(update, this.view, this.unitsPerPixel, raw === "all" ? undefined : raw);
+    this.trails.draw(update, this.view, this.unitsPerPixel);
     this.drawTruth(update.truth);
     this.drawObstacles(scene.obstacles);
     this.drawLinks(scene);

@@ -1,18 +1,27 @@
 // monitor/web/src/main.ts: the page: updates come in, at most one drawing per screen frame goes out.
 import "./style.css";
-import type { MonitorUpdate } from "./generated/monitor_pb";
+import { fromBinary } from "@bufbuild/protobuf";
+import { type MonitorUpdate, MonitorUpdateSchema } from "./generated/monitor_pb";
 import { connect, liveAddress } from "./connection";
 import { byId, set, write } from "./dom";
 import { FieldView } from "./field_view";
+import { History, LIVE_BOUNDS, momentOf, RECORDING_BOUNDS, updatesIn } from "./history";
+import { bindKeys, type Commands } from "./keys";
+import { Orders, takeToken } from "./orders";
+import { Player } from "./player";
+import { Plots } from "./plots";
+import { drawGame, makeRefereeButtons } from "./referee_view";
+import { Relocate } from "./relocate";
+import { RobotCard } from "./robot_card";
 import { markOf, sceneOf } from "./scene";
 import { BallCard, drawLead, EventLog, ProcessCard } from "./side_view";
 import { TableView } from "./table_view";
+import { TimelineView } from "./timeline_view";
 
 /** Ages go on when nothing arrives, so the page is drawn now and then without news. */
 const IDLE_DRAW_MS = 100;
 
 const field = new FieldView(byId("field"));
-const table = new TableView(byId("robots"));
 const ball = new BallCard(byId("ball"));
 const processes = new ProcessCard(byId("processes"));
 const log = new EventLog(byId("log"));
@@ -21,22 +30,68 @@ let newest: MonitorUpdate | undefined;
 let receivedAt = 0;
 let connected = false;
 let isDrawingPlanned = false;
+let raw: "none" | "all" | "chosen" = "none";
+let shownIndex = -1;
+let shown: MonitorUpdate | undefined;
+let history = new History(LIVE_BOUNDS);
+let player = new Player(history, false);
+
+const orders = new Orders(byId("actions"), (bytes) => send(bytes), takeToken(location, window.history, sessionStorage));
+const relocate = new Relocate(field, orders);
+const robotCard = new RobotCard(byId("robot"), orders, (robot) => relocate.start(robot));
+const table = new TableView(byId("robots"), (robot) => {
+  robotCard.select(robot);
+  showTab("robot");
+});
+const plots = new Plots(byId("plots"));
+makeRefereeButtons(byId("referee"), orders);
+let timeline = makeTimeline();
+
+function makeTimeline(): TimelineView {
+  return new TimelineView(player, history, { changed: planDrawing, bookmark });
+}
+
+/** The update to show: the newest, or one of the past. */
+function chosen(nowMs: number): { update: MonitorUpdate | undefined; since: number } {
+  const time = player.timeAt(nowMs);
+  if (time === undefined) return { update: newest, since: nowMs - receivedAt };
+  const index = history.indexAt(time);
+  if (index !== shownIndex) {
+    shownIndex = index;
+    shown = history.decode(index);
+  }
+  return { update: shown, since: player.mode === "replay" && shown ? Math.max(time - Number(shown.stampNs) / 1e6, 0) : 0 };
+}
+
+function drawMark(update: MonitorUpdate | undefined, since: number): void {
+  const state = player.mode;
+  const mark = state === "live" ? markOf(update, connected, since) : { live: true, reason: update?.silence ?? "" };
+  const word = state === "live" ? (mark.live ? "LIVE" : "NO DATA") : state.toUpperCase();
+  set(byId("mark"), { "data-state": state === "live" && !mark.live ? "none" : state });
+  write(byId("mark"), word);
+  write(byId("silence"), mark.reason);
+  set(document.body, { class: state === "live" && mark.live ? "live" : `not-live ${state}` });
+}
 
 function draw(): void {
   isDrawingPlanned = false;
-  const since = performance.now() - receivedAt;
-  const mark = markOf(newest, connected, since);
-  set(byId("mark"), { "data-state": mark.live ? "live" : "none" });
-  write(byId("mark"), mark.live ? "LIVE" : "NO DATA");
-  write(byId("silence"), mark.reason);
-  set(document.body, { class: mark.live ? "live" : "not-live" });
-  if (!newest) return;
-  const scene = sceneOf(newest, since);
-  field.draw(scene, newest);
-  table.draw(newest, since);
+  const now = performance.now();
+  const { update, since } = chosen(now);
+  drawMark(update, since);
+  timeline.draw(player.timeAt(now));
+  if (player.mode === "replay") planDrawing();
+  if (!update) return;
+  const scene = sceneOf(update, since);
+  field.draw(scene, update, raw === "chosen" ? robotCard.robot : raw);
+  table.draw(update, since, robotCard.robot);
   ball.draw(scene);
-  processes.draw(newest);
-  drawLead(newest, since);
+  processes.draw(update);
+  drawLead(update, since);
+  drawGame(update);
+  robotCard.draw(update, player.mode === "live", now);
+  plots.take(update);
+  if (newest) orders.draw(newest.actions);
+  document.body.dataset["drawnNs"] = String(update.world?.stampNs ?? 0);
 }
 
 function planDrawing(): void {
@@ -45,35 +100,106 @@ function planDrawing(): void {
   requestAnimationFrame(draw);
 }
 
+function showTab(name: string): void {
+  for (const button of byId("tabs").querySelectorAll("button")) button.classList.toggle("on", button.dataset["tab"] === name);
+  for (const tab of document.querySelectorAll<HTMLElement>(".tab")) tab.hidden = tab.dataset["tab"] !== name;
+}
+
 function flip(): void {
   field.flip();
   planDrawing();
 }
 
-byId("flip").addEventListener("click", flip);
-document.addEventListener("keydown", (event) => {
-  if (event.key === "f" && !event.ctrlKey && !event.metaKey && !event.altKey) flip();
-});
+function cycleRaw(): void {
+  raw = raw === "none" ? "all" : raw === "all" ? "chosen" : "none";
+  write(byId("raw"), `Raw: ${raw}`);
+  planDrawing();
+}
 
-connect(liveAddress(window.location), {
+function setTheme(theme: string): void {
+  set(document.documentElement, { "data-theme": theme });
+  write(byId("theme"), theme === "light" ? "Dark" : "Light");
+  localStorage.setItem("teamsight.theme", theme);
+}
+
+function toggleTheme(): void {
+  setTheme(document.documentElement.dataset["theme"] === "light" ? "dark" : "light");
+}
+
+function bookmark(): void {
+  orders.give({ case: "bookmark", value: { text: "" } });
+}
+
+const commands: Commands = {
+  flip,
+  cycleRaw,
+  toggleTheme,
+  bookmark,
+  showTab,
+  relocate: () => relocate.start(robotCard.robot),
+  giveUp: () => relocate.stop(),
+  choose: (step) => robotCard.select(Math.min(Math.max(robotCard.robot + step, 1), 16)),
+  player: () => player,
+  changed: planDrawing,
+};
+bindKeys(commands);
+byId("flip").addEventListener("click", flip);
+byId("raw").addEventListener("click", cycleRaw);
+byId("theme").addEventListener("click", toggleTheme);
+byId("tabs").addEventListener("click", (event) => {
+  const button = (event.target as Element).closest("button");
+  if (button?.dataset["tab"]) showTab(button.dataset["tab"]);
+});
+byId("token-form").addEventListener("submit", () => orders.accept((byId("token") as HTMLInputElement).value));
+setTheme(localStorage.getItem("teamsight.theme") ?? "dark");
+
+/** The station shows a recording: all of it is fetched, and there is no present. */
+async function loadRecording(address: string): Promise<void> {
+  const body = new Uint8Array(await (await fetch(`${address}${orders.token ? `?token=${orders.token}` : ""}`)).arrayBuffer());
+  history = new History(RECORDING_BOUNDS);
+  player = new Player(history, true);
+  shownIndex = -1;
+  log.clear();
+  for (const bytes of updatesIn(body)) {
+    const update = fromBinary(MonitorUpdateSchema, bytes);
+    history.push(momentOf(update, bytes));
+    log.add(update.events, update.stampNs, update.dateMinusStampNs);
+  }
+  timeline = makeTimeline();
+  player.seek(history.firstMs ?? 0, performance.now());
+  player.play(performance.now());
+  planDrawing();
+}
+
+function take(update: MonitorUpdate, bytes: Uint8Array): void {
+  if (update.field) {
+    field.setField(update.field);
+    write(byId("team"), `${update.team} · ${update.field.name}${update.recording ? "" : ` · domain ${update.domainId}`}`);
+  }
+  if (update.refused) orders.refuse(update.refused);
+  if (update.recording) {
+    if (!player.isRecording) void loadRecording(update.recording);
+    return;
+  }
+  robotCard.show(update.thumbnails);
+  log.add(update.events, update.stampNs);
+  newest = update;
+  receivedAt = performance.now();
+  history.push(momentOf(update, bytes));
+  planDrawing();
+}
+
+const send = connect(() => liveAddress(window.location, orders.token), {
   onOpen: () => {
     connected = true;
-    log.clear();
+    if (!player.isRecording) log.clear();
   },
-  onUpdate: (update) => {
-    if (update.field) {
-      field.setField(update.field);
-      write(byId("team"), `${update.team} · ${update.field.name} · domain ${update.domainId}`);
-    }
-    log.add(update.events, update.stampNs);
-    newest = update;
-    receivedAt = performance.now();
-    planDrawing();
-  },
+  onUpdate: take,
   onClose: () => {
     connected = false;
     planDrawing();
   },
+  onTokenNeeded: () => orders.ask(),
 });
 
 setInterval(planDrawing, IDLE_DRAW_MS);

@@ -105,12 +105,15 @@ export class EventLog {
     this.root.replaceChildren();
   }
 
-  /** @param nowNs  the station's clock when they were sent, to tell the time of day */
-  add(events: MonitorEvent[], nowNs: bigint): void {
+  /**
+   * @param nowNs  the station's clock when they were sent, to tell the time of day
+   * @param dateMinusStampNs  of a recording: what makes a date of its stamps
+   */
+  add(events: MonitorEvent[], nowNs: bigint, dateMinusStampNs = 0n): void {
     for (const event of events) {
       const line = document.createElement("li");
       line.className = event.level;
-      html("time", "", line, format.timeOfDay(new Date(Date.now() - Number(nowNs - event.stampNs) / 1e6)));
+      html("time", "", line, format.timeOfDay(new Date(dateMinusStampNs ? Number(event.stampNs + dateMinusStampNs) / 1e6 : Date.now() - Number(nowNs - event.stampNs) / 1e6)));
       html("span", "", line, event.text);
       this.root.prepend(line);
     }

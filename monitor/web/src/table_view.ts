@@ -81,25 +81,37 @@ export function rejectedCell(row: RobotRow): Cell {
 }
 
 const COLUMNS: Column[] = [
-  { head: "Robot", width: 5.5, cell: (row) => cell(String(row.robotId)) },
+  { head: "Robot", width: 5, cell: (row) => cell(String(row.robotId)) },
   { head: "Heard", width: 8.5, cell: (row, _mate, since) => linkCell(row, since) },
-  { head: "Rate", width: 6.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
-  { head: "Loss", width: 6, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
-  { head: "Latency", width: 10, numeric: true, cell: latencyCell },
-  { head: "Posture", width: 15.5, cell: (row) => postureCell(row) },
-  { head: "Half", width: 6.5, numeric: true, cell: (row) => halfCell(row) },
-  { head: "Ball", width: 6.5, cell: ballCell },
-  { head: "Camera", width: 7.5, numeric: true, cell: (row) => cameraCell(row) },
-  { head: "Trust", width: 9, cell: (row, mate) => trustCell(row, mate) },
+  { head: "Rate", width: 5.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
+  { head: "Loss", width: 5, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
+  { head: "Latency", width: 9.2, numeric: true, cell: latencyCell },
+  { head: "Posture", width: 15.4, cell: (row) => postureCell(row) },
+  { head: "Half", width: 5.5, numeric: true, cell: (row) => halfCell(row) },
+  { head: "Ball", width: 6, cell: ballCell },
+  { head: "Camera", width: 6, numeric: true, cell: (row) => cameraCell(row) },
+  { head: "Trust", width: 8, cell: (row, mate) => trustCell(row, mate) },
   { head: "Not used", width: 9, cell: (row) => rejectedCell(row) },
-  { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "") : DASH) },
-  { head: "Version", width: 6.5, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, "dim") : DASH) },
+  { head: "Clock", width: 7, numeric: true, cell: (row) => clockCell(row) },
+  { head: "Battery", width: 6.2, numeric: true, cell: (row) => (row.state?.batteryV ? cell(`${row.state.batteryV.toFixed(1)} V`) : DASH) },
+  { head: "Drift", width: 5.8, numeric: true, cell: (row) => (row.state?.calibrationDriftPx ? cell(`${row.state.calibrationDriftPx.toFixed(1)} px`) : DASH) },
+  { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "", row.state.cpuTemperatureDegc ? `${row.state.cpuTemperatureDegc.toFixed(0)} °C` : "temperature not measured") : DASH) },
+  { head: "Version", width: 6, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, "dim") : DASH) },
 ];
 
 function latencyCell(row: RobotRow): Cell {
   if (row.latencyP50Ms < 0) return cell(format.UNKNOWN, "dim", "Its clock cannot be compared with the station's");
   const tone = row.latencyP95Ms > 200 ? "bad" : row.latencyP95Ms > 100 ? "warn" : "";
   return cell(`${format.latency(row.latencyP50Ms)} / ${format.latency(row.latencyP95Ms)} ms`, tone, "Exposure to arrival, half and 95 % of the frames");
+}
+
+/** Against the leader's clock; hosts that were started at other times differ by days. */
+export function clockCell(row: RobotRow): Cell {
+  const why = row.explained;
+  if (!why || why.clockSigmaMs <= 0) return DASH;
+  const far = Math.abs(why.clockOffsetMs) >= 10_000;
+  const text = far ? `${(why.clockOffsetMs / 1000).toFixed(0)} s` : `${why.clockOffsetMs.toFixed(1)} ms`;
+  return cell(text, why.clockSigmaMs > 5 ? "warn" : "", `${why.clockOffsetMs.toFixed(2)} ± ${why.clockSigmaMs.toFixed(2)} ms against the leader's clock`);
 }
 
 function ballCell(row: RobotRow): Cell {
@@ -114,23 +126,30 @@ const LEAST_ROWS = 5;
 export class TableView {
   private readonly body: HTMLTableSectionElement;
 
-  constructor(table: HTMLElement) {
+  constructor(table: HTMLElement, choose: (robot: number) => void) {
     const group = html("colgroup", "", table);
     const total = COLUMNS.reduce((sum, column) => sum + column.width, 0);
     for (const column of COLUMNS) html("col", "", group).style.width = `${(100 * column.width) / total}%`;
     const head = html("tr", "", html("thead", "", table));
     for (const column of COLUMNS) html("th", column.numeric ? "numeric" : "", head, column.head);
     this.body = html("tbody", "", table);
+    this.body.addEventListener("click", (event) => {
+      const line = (event.target as Element).closest("tr");
+      const robot = Number(line?.dataset["robot"] ?? 0);
+      if (robot > 0) choose(robot);
+    });
   }
 
-  draw(update: MonitorUpdate, sinceUpdateMs: number): void {
+  draw(update: MonitorUpdate, sinceUpdateMs: number, chosen: number): void {
     const mates = new Map((update.world?.teammates ?? []).map((mate) => [mate.robotId, mate]));
     const count = Math.max(update.robots.length, LEAST_ROWS);
     while (this.body.rows.length < count) this.addRow();
     while (this.body.rows.length > count) this.body.deleteRow(-1);
     for (let i = 0; i < count; ++i) {
       const line = this.body.rows[i];
-      if (line) this.fill(line, update.robots[i], mates, sinceUpdateMs);
+      if (!line) continue;
+      this.fill(line, update.robots[i], mates, sinceUpdateMs);
+      line.setAttribute("aria-selected", String(update.robots[i]?.robotId === chosen));
     }
   }
 

@@ -6,6 +6,11 @@ import { ellipseOf } from "../src/ellipse";
 import * as format from "../src/format";
 import { MonitorUpdateSchema, RobotRowSchema } from "../src/generated/monitor_pb";
 import { PostureStatus } from "../src/generated/recording_pb";
+import { History, type Moment, updatesIn } from "../src/history";
+import { Player } from "../src/player";
+import { difference, rayEnd, toField } from "../src/raw_layer";
+import { headingOf } from "../src/relocate";
+import { commandText, gameText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
 import { cameraCell, halfCell, linkCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
 import { View } from "../src/view";
@@ -177,5 +182,138 @@ describe("connection", () => {
   it("stands beside the page and waits longer after each failure", () => {
     expect(liveAddress({ protocol: "http:", host: "127.0.0.1:8080" })).toBe("ws://127.0.0.1:8080/live");
     expect([1, 2, 3, 4, 9].map(pauseBefore)).toEqual([250, 500, 1000, 2000, 2000]);
+  });
+});
+
+const moment = (ms: number, more: Partial<Moment> = {}): Moment => ({ ms, bytes: new Uint8Array(10), events: [], running: undefined, ...more });
+
+function historyOf(...moments: Moment[]): History {
+  const history = new History({ longestMs: 1000, mostBytes: 1e6, stepMs: 0 });
+  for (const one of moments) history.push(one);
+  return history;
+}
+
+describe("History", () => {
+  it("finds the newest moment at or before a time", () => {
+    const history = historyOf(moment(100), moment(200), moment(300));
+
+    expect([50, 100, 250, 900].map((ms) => history.indexAt(ms))).toEqual([-1, 0, 1, 2]);
+  });
+
+  it("finds events in both directions", () => {
+    const history = historyOf(moment(100), moment(200, { events: ["a"] }), moment(300), moment(400, { events: ["b"] }));
+
+    expect(history.eventFrom(0, 1)).toBe(200);
+    expect(history.eventFrom(200, 1)).toBe(400);
+    expect(history.eventFrom(400, -1)).toBe(200);
+    expect(history.eventFrom(200, -1)).toBeUndefined();
+  });
+
+  it("keeps what happened even when updates come too close", () => {
+    const history = new History({ longestMs: 1000, mostBytes: 1e6, stepMs: 60 });
+    for (const one of [moment(0), moment(30), moment(35, { events: ["x"] }), moment(40)]) history.push(one);
+
+    expect(history.length).toBe(2);
+    expect(history.eventFrom(0, 1)).toBe(35);
+  });
+
+  it("stays within its bytes and begins anew with a station that was started again", () => {
+    const history = new History({ longestMs: Infinity, mostBytes: 100, stepMs: 0 });
+    for (let ms = 0; ms < 50; ++ms) history.push(moment(ms));
+    expect(history.length).toBeLessThanOrEqual(10);
+
+    history.push(moment(3));
+    expect(history.length).toBe(1);
+  });
+
+  it("leaves out the time in which the game stands", () => {
+    const history = historyOf(moment(0, { running: true }), moment(100, { running: false }), moment(200, { running: false }), moment(300, { running: true }));
+
+    expect(history.nextRunning(50)).toBe(50);
+    expect(history.nextRunning(150)).toBe(300);
+  });
+
+  it("splits a recording, also one that is cut off", () => {
+    const body = new Uint8Array([2, 0, 0, 0, 7, 8, 1, 0, 0, 0, 9, 5, 0, 0, 0, 1]);
+
+    expect([...updatesIn(body)].map((part) => [...part])).toEqual([[7, 8], [9]]);
+  });
+});
+
+describe("Player", () => {
+  it("stands still when paused and runs at its speed in replay", () => {
+    const player = new Player(historyOf(moment(0), moment(500), moment(1000)), false);
+    player.seek(100, 5000);
+    expect(player.timeAt(9000)).toBe(100);
+
+    player.speed = 0.5;
+    player.play(9000);
+    expect(player.timeAt(9200)).toBe(200);
+    expect(player.mode).toBe("replay");
+  });
+
+  it("is live again when it has caught up, and never with a recording", () => {
+    const history = historyOf(moment(0), moment(1000));
+    const live = new Player(history, false);
+    live.seek(900, 0);
+    live.play(0);
+    expect(live.timeAt(500)).toBeUndefined();
+    expect(live.mode).toBe("live");
+
+    const recording = new Player(history, true);
+    recording.goLive();
+    recording.play(0);
+    recording.timeAt(5000);
+    expect(recording.mode).toBe("paused");
+  });
+
+  it("steps from update to update and jumps from event to event", () => {
+    const player = new Player(historyOf(moment(0), moment(40), moment(80, { events: ["x"] })), false);
+    player.seek(0, 0);
+    player.step(1, 0);
+    expect(player.timeAt(0)).toBe(40);
+    player.jump(1, 0);
+    expect(player.timeAt(0)).toBe(80);
+    player.step(-1, 0);
+    expect(player.timeAt(0)).toBe(40);
+  });
+});
+
+describe("raw layer", () => {
+  it("puts what a robot sees into the field", () => {
+    const at = toField(1, 2, Math.PI / 2, 3, 0);
+
+    expect(at.x).toBeCloseTo(1, 9);
+    expect(at.y).toBeCloseTo(5, 9);
+  });
+
+  it("ends a ray where a ball on the floor would lie", () => {
+    const row = create(RobotRowSchema, { sightings: { balls: [{ originM: { x: 0, y: 0, z: 0.51 }, direction: { x: 0.6, y: 0, z: -0.08 } }] } });
+
+    expect(rayEnd(row.sightings!.balls[0]!)!.x).toBeCloseTo(3, 9);
+    expect(rayEnd(row.sightings!.balls[0]!)!.lies).toBe(true);
+  });
+
+  it("says how far a robot's own view lies from the team's", () => {
+    const update = create(MonitorUpdateSchema, { world: { balls: [{ pM: { x: 3, y: 0.5, z: 0.1 } }], teammates: [{ robotId: 2, posture: { xM: 0.3, yM: 0 } }] } });
+    const row = create(RobotRowSchema, { robotId: 2, sightings: { posture: { posture: { xM: 0, yM: 0, thetaRad: 0 } }, balls: [{ originM: { z: 0.51 }, direction: { x: 0.6, z: -0.08 } }] } });
+
+    expect(difference(row, update).ball).toBeCloseTo(0.5, 6);
+    expect(difference(row, update).posture).toBeCloseTo(0.3, 6);
+  });
+});
+
+describe("orders", () => {
+  it("takes a drag's direction for the heading, a click for the opponent goal", () => {
+    expect(headingOf({ x: 0, y: 0 }, { x: 0, y: 1 })).toBeCloseTo(Math.PI / 2, 9);
+    expect(headingOf({ x: 0, y: 0 }, { x: 0.05, y: 0.05 })).toBe(0);
+  });
+
+  it("says what is played", () => {
+    const update = create(MonitorUpdateSchema, { referee: { hasBox: true, state: { piece: 1, pieceIsOurs: true } } });
+
+    expect(gameText(update.referee)).toBe("our kick-off");
+    expect(commandText(update.referee)).toBe("no command yet");
+    expect(gameText(undefined)).toBe("no referee");
   });
 });

@@ -1,0 +1,100 @@
+// monitor/web/src/referee_view.ts: the game in the bar on top, and the referee's commands by hand.
+import type { MonitorUpdate, RecorderReport, RefereeReport } from "./generated/monitor_pb";
+import { byId, html, set, write } from "./dom";
+import * as format from "./format";
+import type { Orders } from "./orders";
+
+const PHASES = ["no phase", "before the game", "first half", "half time", "second half", "over", "shoot-out"];
+const PIECES = ["", "kick-off", "free kick", "goal kick", "throw-in", "corner", "penalty", "drop ball", "parking"];
+
+/** What is played now, in words. */
+export function gameText(report: RefereeReport | undefined): string {
+  const state = report?.state;
+  if (!state) return "no referee";
+  const piece = PIECES[state.piece] ?? "";
+  if (piece) return state.piece < 7 ? `${state.pieceIsOurs ? "our" : "their"} ${piece}` : piece;
+  return state.running ? "running" : "stopped";
+}
+
+/** The last command and how long ago it came. */
+export function commandText(report: RefereeReport | undefined): string {
+  if (!report?.lastCommand) return report?.hasBox ? "no command yet" : "no referee box";
+  return `${report.lastCommand} · ${format.age(report.state?.commandAgeMs ?? NaN)} ago`;
+}
+
+/** What all processes together send, bit/s, as each measures itself; undefined: none says. */
+export function bitRate(update: MonitorUpdate): number | undefined {
+  let sum: number | undefined;
+  const agents = update.robots.flatMap((row) => (row.agent && row.alive ? [row.agent] : []));
+  for (const process of [...agents, ...update.processes]) {
+    const { wireBps } = process as { wireBps?: number };
+    if (wireBps !== undefined) sum = (sum ?? 0) + wireBps;
+  }
+  return sum;
+}
+
+export function recorderText(report: RecorderReport | undefined): string {
+  if (!report) return "not recording";
+  if (report.problem) return "disk refuses";
+  return `rec ${(Number(report.bytes) / 1e6).toFixed(0)} MB${report.dropped > 0n ? ` · ${report.dropped} lost` : ""}`;
+}
+
+export function drawGame(update: MonitorUpdate): void {
+  const report = update.referee;
+  const state = report?.state;
+  write(byId("score"), `${state?.goalsOwn ?? 0} : ${state?.goalsOpponent ?? 0}`);
+  write(byId("game"), gameText(report));
+  set(byId("game"), { class: state?.running ? "running" : "" });
+  write(byId("phase"), PHASES[state?.phase ?? 0] ?? "");
+  write(byId("command"), commandText(report));
+  const lamp = (id: string, tone: string, text: string, title: string): void => {
+    const root = byId(id);
+    set(root, { class: `lamp ${tone}`, title });
+    write(root, text);
+  };
+  const hz = report?.worldStateHz ?? 0;
+  const connected = state?.boxConnected ?? false;
+  lamp("box", !report?.hasBox ? "off" : !connected ? "bad" : hz >= 10 ? "good" : "warn", connected ? `box ${hz.toFixed(0)} Hz` : "box", "World state to the referee box: 10 Hz or more is wanted");
+  const bits = bitRate(update);
+  const megabits = (bits ?? 0) / 1e6;
+  lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 ? "warn" : "good", bits === undefined ? "air –" : `air ${megabits.toFixed(2)}`, "What the team sends, Mbit/s with headers; the league's limit is 2.2");
+  const recorder = update.recorder;
+  lamp("recorder", !recorder ? "off" : recorder.problem || recorder.dropped > 0n ? "bad" : "good", recorderText(recorder), recorder?.problem || recorder?.file || "Start the station with --record to record");
+}
+
+const BUTTONS: [string, string, boolean][] = [
+  ["START", "Start", false],
+  ["STOP", "Stop", false],
+  ["DROP_BALL", "Drop ball", false],
+  ["PARK", "Park", false],
+  ["KICKOFF", "Kick-off", true],
+  ["FREEKICK", "Free kick", true],
+  ["GOALKICK", "Goal kick", true],
+  ["THROWIN", "Throw-in", true],
+  ["CORNER", "Corner", true],
+  ["PENALTY", "Penalty", true],
+  ["GOAL", "Goal", true],
+  ["SUBGOAL", "Goal denied", true],
+  ["FIRST_HALF", "1st half", false],
+  ["HALF_TIME", "Half time", false],
+  ["SECOND_HALF", "2nd half", false],
+  ["END_GAME", "End", false],
+];
+
+/** Two halves of a button where it matters whose it is. */
+export function makeRefereeButtons(root: HTMLElement, orders: Orders): void {
+  for (const [command, text, hasSide] of BUTTONS) {
+    const cell = html("div", "referee-cell", root);
+    const add = (label: string, side: number, tone: string): void => {
+      const button = html("button", `tool ${tone}`, cell, label);
+      button.type = "button";
+      button.dataset["command"] = command;
+      button.addEventListener("click", () => orders.give({ case: "referee", value: { command, side } }));
+    };
+    if (!hasSide) add(text, 0, command === "STOP" ? "stop" : "");
+    else {
+      add(`${text} us`, 1, "ours");
+      add("them", 2, "theirs");
+    }
+  }
+}
