@@ -16,6 +16,9 @@ using namespace std::chrono_literals;
 // RobotState is a robot's sign of life, also without frames: three of these fit into its lease.
 constexpr Duration kStatePeriod = 60ms;
 constexpr Duration kLinePointsPeriod = 500ms;
+// The most that they take, see idl/README.md.
+constexpr std::size_t kLinePointsBytes = 1288;
+constexpr std::size_t kDiagnosticsBytes = 1268;
 constexpr Duration kShortestLoss = 150ms;  // a frame that is only late is no lost camera
 constexpr Duration kLongestLoss = 2s;
 constexpr Duration kPostureMissed = 3s;
@@ -40,14 +43,15 @@ std::string in_seconds(Duration duration) {
 
 }  // namespace
 
-AgentBus::AgentBus(const bus::Participant& team, const bus::Participant& host)
-    : states(team),
-      sightings(team),
-      line_points(team),
-      diagnostics(team),
-      peers(team),
-      commands(team),
-      worlds(team),
+AgentBus::AgentBus(const bus::Participant& team_domain, const bus::Participant& host)
+    : team(&team_domain),
+      states(team_domain),
+      sightings(team_domain),
+      line_points(team_domain),
+      diagnostics(team_domain),
+      peers(team_domain),
+      commands(team_domain),
+      worlds(team_domain),
       odometry(host) {}
 
 Agent::Agent(AgentIdentity identity,
@@ -60,7 +64,8 @@ Agent::Agent(AgentIdentity identity,
       frames_(&frames),
       perception_(std::move(perception)),
       locator_(std::move(locator)),
-      meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot) {}
+      meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot),
+      air_(*bus.team, "agent/" + std::to_string(identity_.robot)) {}
 
 void Agent::join(bus::Loop& loop) {
   loop_ = &loop;
@@ -71,7 +76,9 @@ void Agent::join(bus::Loop& loop) {
   loop.on_readable(bus_->worlds.event_fd(), [this] { listen_to_team(); });
   loop.on_readable(locator_->search_fd(), [this] { locator_->take_answer(); });
   loop.every(kStatePeriod / 3, [this] { keep_alive(); });
-  loop.every(1s, [this] { diagnose(); });
+  loop.every(
+      1s, [this] { diagnose(); }, 0.1);
+  air_.attach(loop);
 }
 
 void Agent::turn() {
@@ -102,9 +109,13 @@ void Agent::write(const Seen& seen) {
   write_state(now);
   if (!muted_) {
     const ObservationId id{identity_.robot, identity_.boot, ++sightings_count_};
-    bus_->sightings.write(sightings_of(*seen.observation, {id, seen.exposure, bus::host_now()}));
+    bus::Sightings sightings =
+        sightings_of(*seen.observation, {id, seen.exposure, bus::host_now()});
+    meter_.count("air.obstacles_left_out", process::trim(sightings, air_.thrift()));
+    bus_->sightings.write(sightings);
   }
-  if (now < line_points_until_ && now - line_points_written_ >= kLinePointsPeriod) {
+  const bool is_asked = now < line_points_until_ && now - line_points_written_ >= kLinePointsPeriod;
+  if (is_asked && air_.thrift() == process::Thrift::kNone && air_.may_tell(kLinePointsBytes, now)) {
     const ObservationId id{identity_.robot, identity_.boot, ++line_points_count_};
     bus_->line_points.write(line_points_of(*seen.observation, {id, seen.exposure, now}));
     line_points_written_ = now;
@@ -209,7 +220,8 @@ void Agent::diagnose() {
   report.message = complaint(source, now).substr(0, 95);
   report.healthy = report.message.empty();
   report.frame_age_ms = exposure_ == HostTime{} ? -1.0 : 1e3 * to_seconds(now - exposure_);
-  bus_->diagnostics.write(report);
+  air_.tell(report);
+  if (air_.may_tell(kDiagnosticsBytes, now)) bus_->diagnostics.write(report);
 }
 
 void Agent::listen_to_commands() {

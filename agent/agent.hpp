@@ -13,6 +13,7 @@
 #include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "geometry/identity.hpp"
+#include "process/air_share.hpp"
 #include "process/meter.hpp"
 #include "vision/perception.hpp"
 
@@ -20,7 +21,10 @@ namespace teamsight::agent {
 
 /// Every reader and writer of the process; made at start, before any traffic.
 struct AgentBus {
+  /// Both must outlive it.
   AgentBus(const bus::Participant& team, const bus::Participant& host);
+
+  const bus::Participant* team;
 
   bus::Writer<bus::RobotState> states;
   bus::Writer<bus::Sightings> sightings;
@@ -81,6 +85,7 @@ class Agent {
   std::unique_ptr<vision::Perception> perception_;
   std::unique_ptr<Locator> locator_;
   process::ProcessMeter meter_;
+  process::AirShare air_;
   bus::Loop* loop_{nullptr};
 
   PostureEstimate posture_;   // of the newest frame

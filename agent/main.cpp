@@ -17,6 +17,7 @@
 #include "bus/clock.hpp"
 #include "process/domains.hpp"
 #include "process/program.hpp"
+#include "process/supervision.hpp"
 #include "settings/load.hpp"
 
 namespace teamsight::agent {
@@ -177,8 +178,8 @@ int run(const Options& options) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team_bus =
-      bus::Participant::join(process::team_domain(team, options.domains), keeps_trying);
+  const auto team_bus = bus::Participant::join(
+      process::team_domain(team, options.domains, setup.robot.id), keeps_trying);
   const std::string tag = options.domains.host_tag.empty()
                               ? process::default_host_tag(team, setup.robot.id)
                               : options.domains.host_tag;
@@ -202,6 +203,7 @@ int run(const Options& options) {
               std::move(eye),
               std::move(locator));
   agent.join(loop);
+  process::report_to_supervisor(loop);
   loop.run();
   if (agent.has_yielded()) {
     throw std::runtime_error("robot id " + std::to_string(setup.robot.id) +

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cerrno>
 #include <map>
+#include <random>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -63,6 +64,38 @@ timespec to_timespec(Duration duration) {
   return {seconds.count(), (duration - seconds).count()};
 }
 
+// A timer of equal periods, or of periods that are drawn one by one.
+class Metronome {
+ public:
+  Metronome(int timer, Duration period, double jitter)
+      : timer_(timer),
+        period_(period),
+        jitter_(jitter) {}
+
+  [[nodiscard]] int start() {
+    const bool is_drawn = jitter_ > 0.0;
+    std::uniform_real_distribution<double> share(1.0 - jitter_, 1.0 + jitter_);
+    const timespec first =
+        to_timespec(is_drawn ? from_seconds(share(random_) * to_seconds(period_)) : period_);
+    const itimerspec spec{is_drawn ? timespec{} : first, first};
+    return timerfd_settime(timer_, 0, &spec, nullptr);
+  }
+
+  /// However many ticks there were: one.
+  [[nodiscard]] bool ticked() {
+    std::uint64_t ticks = 0;
+    if (::read(timer_, &ticks, sizeof ticks) != sizeof ticks) return false;
+    if (jitter_ > 0.0) (void)start();
+    return true;
+  }
+
+ private:
+  int timer_;
+  Duration period_;
+  double jitter_;
+  std::minstd_rand random_{std::random_device{}()};
+};
+
 }  // namespace
 
 struct Loop::Impl {
@@ -118,16 +151,15 @@ void Loop::forget(int descriptor) {
   epoll_ctl(impl_->epoll.get(), EPOLL_CTL_DEL, descriptor, nullptr);
 }
 
-void Loop::every(Duration period, std::function<void()> handler) {
-  TEAMSIGHT_EXPECT(period > Duration{0});
+void Loop::every(Duration period, std::function<void()> handler, double jitter) {
+  TEAMSIGHT_EXPECT(period > Duration{0} && jitter >= 0.0 && jitter < 1.0);
   const int timer =
       opened(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK), "timerfd_create");
   impl_->timers.push_back(std::make_unique<Descriptor>(timer));
-  const itimerspec spec{to_timespec(period), to_timespec(period)};
-  opened(timerfd_settime(timer, 0, &spec, nullptr), "timerfd_settime");
-  impl_->watch(timer, [timer, handler = std::move(handler)] {
-    std::uint64_t ticks = 0;  // however many: one call
-    if (::read(timer, &ticks, sizeof ticks) == sizeof ticks) handler();
+  const auto metronome = std::make_shared<Metronome>(timer, period, jitter);
+  opened(metronome->start(), "timerfd_settime");
+  impl_->watch(timer, [metronome, handler = std::move(handler)] {
+    if (metronome->ticked()) handler();
   });
 }
 

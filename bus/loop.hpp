@@ -28,7 +28,11 @@ class Loop {
   void forget(int descriptor);
 
   /// Calls `handler` every `period`, the first time after one period. Missed ticks are not made up.
-  void every(Duration period, std::function<void()> handler);
+  ///
+  /// @param jitter  each period is drawn anew, up to this share longer or shorter, so that
+  /// processes
+  ///                that started together do not speak together; in [0, 1)
+  void every(Duration period, std::function<void()> handler, double jitter = 0.0);
 
   /// Returns after `stop`, SIGINT or SIGTERM.
   void run();

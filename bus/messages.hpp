@@ -224,6 +224,9 @@ struct Diagnostics {
   double step_ms_p95{0.0};
   double cpu_load{0.0};  ///< of one core
   std::uint32_t resident_kb{0};
+  double wire_bps{0.0};    ///< bit/s that this process sends to the team, headers included
+  std::uint8_t thrift{0};  ///< what it leaves out since the air is full: process::Thrift, at most 4
+  bool secured{false};     ///< DDS Security is on
   std::vector<Counter> counters;  ///< at most 18
 
   friend bool operator==(const Diagnostics&, const Diagnostics&) = default;

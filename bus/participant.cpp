@@ -15,6 +15,7 @@
 #include "bus/library_log.hpp"
 #include "bus/participant_impl.hpp"
 #include "bus/profile.hpp"
+#include "bus/security.hpp"
 
 namespace teamsight::bus {
 
@@ -125,9 +126,15 @@ Participant::Impl::~Impl() {
 
 Participant Participant::join(const DomainSettings& settings,
                               const std::function<bool()>& keep_trying) {
-  const Profile profile = load_profile(settings.profile_path, settings.tag);
+  Profile profile = load_profile(settings.profile_path, settings.tag);
   auto impl = std::make_shared<Impl>();
   impl->lease = profile.lease;
+  impl->domain_id = settings.domain_id;
+  if (!settings.identity.empty()) {
+    Identity identity = load_identity(settings.identity);
+    profile.text += identity.configuration;
+    impl->partition = std::move(identity.partition);
+  }
   while (const MaybeFailure failed = try_join(settings, profile.text, *impl)) {
     if (!failed->may_pass || !wait_while(keep_trying)) {
       throw BusError("DDS profile " + settings.profile_path + ": " + failed->reason);
@@ -146,8 +153,20 @@ std::int32_t Participant::handle() const noexcept {
   return impl_->entity.handle();
 }
 
+std::uint32_t Participant::domain_id() const noexcept {
+  return impl_->domain_id;
+}
+
+bool Participant::is_secured() const noexcept {
+  return !impl_->partition.empty();
+}
+
 Duration Participant::lease() const noexcept {
   return impl_->lease;
+}
+
+const std::string& Participant::partition() const noexcept {
+  return impl_->partition;
 }
 
 std::shared_ptr<const void> Participant::keep_alive() const noexcept {

@@ -22,6 +22,8 @@ struct DomainSettings {
   std::uint32_t domain_id{0};
   std::string profile_path;  ///< a Cyclone DDS XML file (config/dds)
   std::string tag;           ///< participants with different tags never meet; empty = none
+  /// Folder of this speaker's keys (`teamsight keys`); empty: anybody on the network can speak.
+  std::string identity{};
 };
 
 /// One DDS participant. All readers and writers of a process are made at start, before any
@@ -53,11 +55,19 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
   ~Participant();
 
+  [[nodiscard]] std::uint32_t domain_id() const noexcept;
+
+  /// Whether DDS Security is on.
+  [[nodiscard]] bool is_secured() const noexcept;
+
   /// Silence of a leased topic's writer for so long counts as gone on this network.
   [[nodiscard]] Duration lease() const noexcept;
 
   /// Cyclone's handle, for bus/ only.
   [[nodiscard]] std::int32_t handle() const noexcept;
+
+  /// In which this speaker writes; empty: security is off. For bus/ only.
+  [[nodiscard]] const std::string& partition() const noexcept;
 
   /// Holds the participant while readers and writers live, for bus/ only.
   [[nodiscard]] std::shared_ptr<const void> keep_alive() const noexcept;

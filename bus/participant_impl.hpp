@@ -18,7 +18,9 @@ struct Participant::Impl {
 
   std::shared_ptr<Domain> domain;
   Entity entity;
+  std::uint32_t domain_id{0};
   Duration lease{0};
+  std::string partition;  ///< in which this speaker writes; empty: security is off
 };
 
 }  // namespace teamsight::bus

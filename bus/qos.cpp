@@ -31,16 +31,18 @@ QosPointer common_qos(const TopicProfile& profile, Duration lease) {
 
 }  // namespace
 
-QosPointer reader_qos(const TopicProfile& profile, Duration lease) {
-  QosPointer qos = common_qos(profile, lease);
+QosPointer reader_qos(const TopicProfile& profile, const Surroundings& around) {
+  QosPointer qos = common_qos(profile, around.lease);
+  if (!around.partition.empty()) dds_qset_partition1(qos.get(), "*");
   dds_qset_resource_limits(qos.get(), DDS_LENGTH_UNLIMITED, kMaxInstances, DDS_LENGTH_UNLIMITED);
   return qos;
 }
 
 QosPointer writer_qos(const TopicProfile& profile,
                       std::int32_t ownership_strength,
-                      Duration lease) {
-  QosPointer qos = common_qos(profile, lease);
+                      const Surroundings& around) {
+  QosPointer qos = common_qos(profile, around.lease);
+  if (!around.partition.empty()) dds_qset_partition1(qos.get(), around.partition.c_str());
   // Who leaves is silent, not disposed: its last value stays what it was.
   dds_qset_writer_data_lifecycle(qos.get(), false);
   if (profile.exclusive) dds_qset_ownership_strength(qos.get(), ownership_strength);

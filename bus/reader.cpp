@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bus/history.hpp"
+#include "bus/speakers.hpp"
 #include "bus/subscription.hpp"
 #include "bus/topics.hpp"
 #include "bus/wire.hpp"
@@ -41,7 +42,8 @@ std::optional<PeerTime> stamp_in(const Message& message) noexcept {
 template <class Message>
 struct Reader<Message>::Impl {
   explicit Impl(const Participant& participant)
-      : subscription(participant, topic_profile<Message>(), topic_descriptor<Message>()) {}
+      : subscription(participant, topic_profile<Message>(), topic_descriptor<Message>()),
+        speakers(participant.is_secured()) {}
 
   // What a late joiner gets of an event is old by design, and one writer counts over several keys:
   // only state has stamps that are judged and gaps that are losses.
@@ -49,6 +51,9 @@ struct Reader<Message>::Impl {
     const bool state = subscription.profile().delivery == Delivery::kState;
     auto message = from_wire<Message>(*static_cast<const typename WireForm<Message>::Type*>(data));
     if (!message) return refuse(message.error());
+    if (!speakers.may_speak(subscription.handle(), info.publication_handle, message->id.robot)) {
+      return refuse(Reject::kForeignIdentity);
+    }
     const auto lost = history.judge(
         info.instance_handle, message->id, state ? stamp_in(*message) : std::nullopt, now);
     if (!lost) return refuse(lost.error());
@@ -63,6 +68,7 @@ struct Reader<Message>::Impl {
   }
 
   Subscription subscription;
+  Speakers speakers;
   History history;
   ReadCounters counters;
 };

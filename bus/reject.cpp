@@ -21,6 +21,8 @@ std::string_view to_string(Reject reason) noexcept {
       return "unbounded";
     case Reject::kDuplicate:
       return "duplicate";
+    case Reject::kForeignIdentity:
+      return "foreign_identity";
     case Reject::kImplausibleStamp:
       return "implausible_stamp";
   }

@@ -17,10 +17,11 @@ enum class Reject : std::uint8_t {
   kOutOfRange,        ///< a number that cannot be: a robot 1 km away, a ratio of 3
   kUnbounded,         ///< a sequence or string longer than its bound, or not terminated
   kDuplicate,         ///< the same id as the last one, or an older one, of the same boot
+  kForeignIdentity,   ///< said by one speaker in another's name (only noticed with security on)
   kImplausibleStamp,  ///< far from what this writer's stamps were up to now, or negative
 };
 
-inline constexpr std::size_t kRejectReasons = 8;
+inline constexpr std::size_t kRejectReasons = 9;
 
 /// The name used in counters and logs, e.g. "bad_covariance".
 [[nodiscard]] std::string_view to_string(Reject reason) noexcept;

@@ -54,7 +54,7 @@ Subscription::Subscription(const Participant& participant,
   const ListenerPointer listener(dds_create_listener(&event_fd_));
   dds_lset_data_available(listener.get(), &on_data);
   dds_lset_liveliness_changed(listener.get(), &on_liveliness);
-  const QosPointer qos = reader_qos(profile, participant.lease());
+  const QosPointer qos = reader_qos(profile, {participant.lease(), participant.partition()});
   reader_ =
       Entity(dds_create_reader(participant.handle(), topic_.handle(), qos.get(), listener.get()));
   if (reader_.handle() < 0) {

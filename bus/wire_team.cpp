@@ -72,6 +72,9 @@ std::optional<Reject> broken_rule(const teamsight_v1_Diagnostics& wire) {
   check.between(wire.step_ms_p50, 0.0, kLongest);
   check.between(wire.step_ms_p95, 0.0, kLongest);
   check.between(wire.cpu_load, 0.0, 1000.0);
+  check.between(wire.wire_bps, 0.0, 1e12);
+  check.between(wire.thrift, 0.0, 4.0);
+  check.flag(wire.secured);
   if (!check.sequence(wire.counters, kMaxCounters)) return check.broken();
   for (std::uint32_t i = 0; i < wire.counters._length; ++i) {
     check.text(wire.counters._buffer[i].name, sizeof wire.counters._buffer[i].name);
@@ -253,6 +256,9 @@ std::optional<Reject> to_wire(const Diagnostics& message, WireSample<Diagnostics
   wire.step_ms_p95 = single(message.step_ms_p95);
   wire.cpu_load = single(message.cpu_load);
   wire.resident_kb = message.resident_kb;
+  wire.wire_bps = single(message.wire_bps);
+  wire.thrift = message.thrift;
+  wire.secured = octet(message.secured);
   for (std::size_t i = 0; i < message.counters.size(); ++i) {
     teamsight_v1_Counter& to = out.storage[i];
     encoding.text(message.counters[i].name, to.name, sizeof to.name);
@@ -276,6 +282,9 @@ Result<Diagnostics, Reject> from_wire<Diagnostics>(const teamsight_v1_Diagnostic
   message.step_ms_p95 = static_cast<double>(wire.step_ms_p95);
   message.cpu_load = static_cast<double>(wire.cpu_load);
   message.resident_kb = wire.resident_kb;
+  message.wire_bps = static_cast<double>(wire.wire_bps);
+  message.thrift = wire.thrift;
+  message.secured = wire.secured != 0;
   message.counters.reserve(wire.counters._length);
   for (std::uint32_t i = 0; i < wire.counters._length; ++i) {
     message.counters.push_back({wire.counters._buffer[i].name, wire.counters._buffer[i].value});

@@ -18,8 +18,9 @@ struct Writer<Message>::Impl {
                                      nullptr,
                                      nullptr),
                     "dds_create_topic")) {
-    const QosPointer qos =
-        writer_qos(topic_profile<Message>(), ownership_strength, participant.lease());
+    const QosPointer qos = writer_qos(topic_profile<Message>(),
+                                      ownership_strength,
+                                      {participant.lease(), participant.partition()});
     writer =
         Entity(check(dds_create_writer(participant.handle(), topic.handle(), qos.get(), nullptr),
                      "dds_create_writer"));

@@ -25,7 +25,8 @@ std::string host_tag(const settings::RobotSettings& robot, const TeamWorldOption
 struct TeamWorld::Impl {
   Impl(const settings::RobotSettings& settings, const TeamWorldOptions& options)
       : robot(settings.id),
-        team(bus::Participant::join(process::team_domain(settings.team, domain_options(options)))),
+        team(bus::Participant::join(
+            process::team_domain(settings.team, domain_options(options), settings.id))),
         host(bus::Participant::join(process::host_domain(
             settings.team, domain_options(options), host_tag(settings, options)))),
         leader_worlds(team),

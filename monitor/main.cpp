@@ -27,9 +27,11 @@
 #include "monitor/update_to_proto.hpp"
 #include "monitor/web_files.hpp"
 #include "monitor/web_server.hpp"
+#include "process/air_share.hpp"
 #include "process/domains.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
+#include "process/supervision.hpp"
 #include "recording/recorder.hpp"
 #include "settings/load.hpp"
 
@@ -272,6 +274,7 @@ int run(const Options& options) {
   bus::Writer<bus::Diagnostics> diagnostics(participant);
   bus::Writer<bus::Command> commands(participant);
   process::ProcessMeter meter("monitor", kNobody, boot);
+  process::AirShare air(participant, "monitor");
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   Operator oper(server, station, desk, referee, commands);
@@ -297,8 +300,12 @@ int run(const Options& options) {
   });
   loop.every(kDiagnosticsPeriod, [&]() {
     describe(meter, server);
-    diagnostics.write(meter.report(bus::host_now()));
+    bus::Diagnostics report = meter.report(bus::host_now());
+    air.tell(report);
+    diagnostics.write(report);
   });
+  air.attach(loop);
+  process::report_to_supervisor(loop);
   loop.run();
   return process::kDone;
 }

@@ -7,8 +7,16 @@ std::string default_host_tag(const settings::TeamSettings& team, RobotId robot) 
   return team.name + ".robot" + std::to_string(robot);
 }
 
-bus::DomainSettings team_domain(const settings::TeamSettings& team, const DomainOptions& options) {
-  return {options.team_domain.value_or(team.domain_id), team.dds_profile.string(), team.name};
+bus::DomainSettings team_domain(const settings::TeamSettings& team,
+                                const DomainOptions& options,
+                                RobotId speaker) {
+  bus::DomainSettings domain{
+      options.team_domain.value_or(team.domain_id), team.dds_profile.string(), team.name};
+  if (!team.security.empty()) {
+    const std::string name = speaker == kNobody ? "coach" : "robot" + std::to_string(speaker);
+    domain.identity = (team.security / name).string();
+  }
+  return domain;
 }
 
 bus::DomainSettings host_domain(const settings::TeamSettings& team,

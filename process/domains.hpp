@@ -22,8 +22,11 @@ struct DomainOptions {
 [[nodiscard]] std::string default_host_tag(const settings::TeamSettings& team, RobotId robot);
 
 /// The domain between the robots; tagged with the team's name, so that teams never meet.
+///
+/// @param speaker  in whose name the process speaks: a robot, or kNobody for the coach station
 [[nodiscard]] bus::DomainSettings team_domain(const settings::TeamSettings& team,
-                                              const DomainOptions& options);
+                                              const DomainOptions& options,
+                                              RobotId speaker = kNobody);
 
 /// The domain inside one robot's computer: the team's id plus one, tagged.
 ///

@@ -93,6 +93,9 @@ bus::Diagnostics value(const v1::Diagnostics& from, Decoding& decoding) {
   to.step_ms_p95 = from.step_ms_p95();
   to.cpu_load = from.cpu_load();
   to.resident_kb = from.resident_kb();
+  to.wire_bps = from.wire_bps();
+  to.thrift = decoding.narrow<std::uint8_t>(from.thrift());
+  to.secured = from.secured();
   for (const auto& entry : from.counters()) to.counters.push_back({entry.name(), entry.value()});
   return to;
 }

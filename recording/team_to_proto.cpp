@@ -56,6 +56,9 @@ void to_proto(const bus::Diagnostics& from, v1::Diagnostics& to) {
   to.set_step_ms_p95(from.step_ms_p95);
   to.set_cpu_load(from.cpu_load);
   to.set_resident_kb(from.resident_kb);
+  to.set_wire_bps(from.wire_bps);
+  to.set_thrift(from.thrift);
+  to.set_secured(from.secured);
   for (const bus::Counter& counter : from.counters) set(counter, *to.add_counters());
 }
 

@@ -21,6 +21,7 @@ struct TeamSettings {
   std::uint32_t domain_id{0};          ///< of the domain between the robots
   std::filesystem::path dds_profile;   ///< Cyclone DDS XML for that domain
   std::filesystem::path host_profile;  ///< the same for the domain inside one computer
+  std::filesystem::path security;      ///< folder of the speakers' folders; empty: security is off
   double ball_radius{0.11};            ///< m
   double robot_radius{0.25};           ///< m
 };

@@ -33,6 +33,7 @@ TeamSettings load_team(const std::filesystem::path& path) {
   team.domain_id = file.domain_id();
   team.dds_profile = text.resolve("dds_profile", file.dds_profile());
   team.host_profile = text.resolve("host_profile", file.host_profile());
+  if (file.has_security()) team.security = text.resolve_folder("security", file.security());
   team.ball_radius = file.ball_radius_m();
   team.robot_radius = file.robot_radius_m();
   return team;

@@ -136,6 +136,17 @@ std::filesystem::path TextFile::resolve(std::string_view key, const std::string&
   return full;
 }
 
+std::filesystem::path TextFile::resolve_folder(std::string_view key,
+                                               const std::string& relative) const {
+  std::filesystem::path full =
+      std::filesystem::absolute(path_.parent_path() / relative).lexically_normal();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(full, ignored)) {
+    throw error(key, "no folder " + full.string(), "the path of a folder, relative to this file");
+  }
+  return full;
+}
+
 std::string key_of(std::string_view name, int index) {
   return std::string(name) + "[" + std::to_string(index) + "]";
 }

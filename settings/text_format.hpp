@@ -38,6 +38,10 @@ class TextFile {
   [[nodiscard]] std::filesystem::path resolve(std::string_view key,
                                               const std::string& relative) const;
 
+  /// The same for a folder.
+  [[nodiscard]] std::filesystem::path resolve_folder(std::string_view key,
+                                                     const std::string& relative) const;
+
  private:
   TextFile(std::filesystem::path path, const google::protobuf::Message& message);
 

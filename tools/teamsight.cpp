@@ -5,7 +5,9 @@
 #include "process/program.hpp"
 #include "tools/calibrate_command.hpp"
 #include "tools/detect_command.hpp"
+#include "tools/doctor_command.hpp"
 #include "tools/echo_command.hpp"
+#include "tools/keys_command.hpp"
 #include "tools/locate_command.hpp"
 #include "tools/log_command.hpp"
 #include "tools/mirror_command.hpp"
@@ -18,7 +20,9 @@ namespace {
 void add_commands(CLI::App& app, int& exit_code) {
   teamsight::tools::add_calibrate_command(app, exit_code);
   teamsight::tools::add_detect_command(app, exit_code);
+  teamsight::tools::add_doctor_command(app, exit_code);
   teamsight::tools::add_echo_command(app, exit_code);
+  teamsight::tools::add_keys_command(app, exit_code);
   teamsight::tools::add_locate_command(app, exit_code);
   teamsight::tools::add_log_command(app, exit_code);
   teamsight::tools::add_mirror_command(app, exit_code);

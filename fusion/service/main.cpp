@@ -7,6 +7,7 @@
 #include "fusion/service/service.hpp"
 #include "process/domains.hpp"
 #include "process/program.hpp"
+#include "process/supervision.hpp"
 #include "settings/load.hpp"
 
 namespace {
@@ -39,7 +40,8 @@ int serve(const CommandLine& line) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team = Participant::join(process::team_domain(robot.team, line.domains), keeps_trying);
+  const auto team =
+      Participant::join(process::team_domain(robot.team, line.domains, robot.id), keeps_trying);
   const auto host =
       Participant::join(process::host_domain(robot.team, line.domains, tag), keeps_trying);
   teamsight::fusion::Service service(team,
@@ -47,6 +49,7 @@ int serve(const CommandLine& line) {
                                      {robot.id, robot.strength, process::draw_boot_id()},
                                      teamsight::fusion::Fusion(parameters, field));
   service.attach(loop);
+  process::report_to_supervisor(loop);
   loop.run();
   return process::kDone;
 }

@@ -22,6 +22,12 @@ constexpr Duration kLongestPeriod = milliseconds(30);
 constexpr Duration kQuickProbes = milliseconds(200);
 constexpr Duration kProbes = seconds(1);
 constexpr Duration kStartPhase = seconds(3);
+// When the air is full. Three of these still fit into a lease of 200 ms.
+constexpr Duration kSlowPeriod = milliseconds(62);
+constexpr double kJitter = 0.1;
+// The most that they take, see idl/README.md.
+constexpr std::size_t kExplanationBytes = 952;
+constexpr std::size_t kDiagnosticsBytes = 1268;
 
 Observation observation_of(const bus::Sightings& sightings, const ConvertedStamp& exposure) {
   return {sightings.id,
@@ -68,6 +74,7 @@ Service::Service(const bus::Participant& team,
       leadership_({identity.strength, identity.robot}, {.lease = team.lease()}),
       clocks_(identity.robot, identity.boot),
       meter_("fusion/" + std::to_string(identity.robot), identity.robot, identity.boot),
+      air_(team, "fusion/" + std::to_string(identity.robot)),
       sightings_(team),
       worlds_(team),
       probes_(team),
@@ -87,8 +94,11 @@ void Service::attach(bus::Loop& loop) {
   loop.on_readable(probes_.event_fd(), [this] { take_probes(bus::host_now()); });
   loop.on_readable(echoes_.event_fd(), [this] { take_echoes(bus::host_now()); });
   loop.every(kTurn, [this] { turn(bus::host_now()); });
-  loop.every(milliseconds(500), [this] { publish_explanation(bus::host_now()); });
-  loop.every(seconds(1), [this] { publish_diagnostics(bus::host_now()); });
+  loop.every(
+      milliseconds(500), [this] { publish_explanation(bus::host_now()); }, kJitter);
+  loop.every(
+      seconds(1), [this] { publish_diagnostics(bus::host_now()); }, kJitter);
+  air_.attach(loop);
 }
 
 void Service::take_sightings(HostTime now) {
@@ -162,10 +172,16 @@ void Service::publish_world(HostTime now, bool leads) {
   world.id = {identity_.robot, identity_.boot, world_count_};
   world.strength = identity_.strength;
   host_world_.write(world);
-  if (leads) team_world_.write(world);
+  if (leads) speak(world, now);
   last_world_ = std::move(world);
   published_ = now;
   has_news_ = false;
+}
+
+void Service::speak(const WorldModel& world, HostTime now) {
+  if (air_.thrift() >= process::Thrift::kSlowWorld && now - spoken_ < kSlowPeriod) return;
+  team_world_.write(world);
+  spoken_ = now;
 }
 
 void Service::publish_probe(HostTime now) {
@@ -176,7 +192,7 @@ void Service::publish_probe(HostTime now) {
 }
 
 void Service::publish_explanation(HostTime now) {
-  if (!leadership_.leads(now)) return;
+  if (!leadership_.leads(now) || !air_.may_tell(kExplanationBytes, now)) return;
   const Report report = fusion_.report_at(now);
   bus::Explanation explanation;
   ++explanation_count_;
@@ -207,7 +223,8 @@ void Service::publish_diagnostics(HostTime now) {
     diagnostics.message = "no usable sightings for " + std::to_string(silent.count()) +
                           " s: are agents running on this domain?";
   }
-  diagnostics_.write(diagnostics);
+  air_.tell(diagnostics);
+  if (air_.may_tell(kDiagnosticsBytes, now)) diagnostics_.write(diagnostics);
 }
 
 }  // namespace teamsight::fusion

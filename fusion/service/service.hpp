@@ -11,6 +11,7 @@
 #include "fusion/fusion.hpp"
 #include "fusion/leadership.hpp"
 #include "fusion/service/clock_book.hpp"
+#include "process/air_share.hpp"
 #include "process/meter.hpp"
 
 namespace teamsight::fusion {
@@ -46,12 +47,14 @@ class Service {
   void publish_explanation(HostTime now);
   void publish_diagnostics(HostTime now);
   void publish_probe(HostTime now);
+  void speak(const WorldModel& world, HostTime now);
 
   ServiceIdentity identity_;
   Fusion fusion_;
   Leadership leadership_;
   ClockBook clocks_;
   process::ProcessMeter meter_;
+  process::AirShare air_;
   bus::Reader<bus::Sightings> sightings_;
   bus::Reader<WorldModel> worlds_;
   bus::Reader<bus::ClockProbe> probes_;
@@ -67,6 +70,7 @@ class Service {
   std::uint32_t explanation_count_{0};
   HostTime started_{};
   HostTime published_{};
+  HostTime spoken_{};  // over the air
   HostTime last_intake_{};
   HostTime probed_{};
   bool has_news_{false};

@@ -199,6 +199,9 @@ inline Diagnostics full<Diagnostics>() {
   m.step_ms_p95 = 9.25;
   m.cpu_load = 0.5;
   m.resident_kb = 120'000;
+  m.wire_bps = 250'000.0;
+  m.thrift = 4;
+  m.secured = true;
   m.counters.assign(18, Counter{std::string(39, 'c'), std::uint64_t{1} << 60U});
   return m;
 }

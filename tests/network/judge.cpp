@@ -23,16 +23,23 @@ void judge_air(const std::vector<Sight>& sights, const Interval& interval, Knowl
 
   std::map<std::uint32_t, Run> runs;  // by boot of the leader
   std::int64_t before = interval.from_ns;
+  std::vector<double> ages;
   for (const Sight& sight : sights) {
     if (sight.channel != Channel::kLeader || !interval.holds(sight.at_ns)) continue;
     out.leaders.insert(sight.maker);
     out.air_gap_ms = std::max(out.air_gap_ms, ms(sight.at_ns - before));
     before = sight.at_ns;
+    ages.push_back(static_cast<double>(sight.age_ms));
     Run& run = runs.try_emplace(sight.boot, Run{sight.sequence, sight.sequence, 0}).first->second;
     run.last = std::max(run.last, sight.sequence);
     ++run.heard;
   }
   out.air_gap_ms = std::max(out.air_gap_ms, ms(interval.to_ns - before));
+  if (!ages.empty()) {
+    const auto middle = ages.begin() + static_cast<std::ptrdiff_t>(ages.size() / 2);
+    std::nth_element(ages.begin(), middle, ages.end());
+    out.air_age_ms = *middle;
+  }
   double sent = 0.0;
   double heard = 0.0;
   for (const auto& [boot, run] : runs) {

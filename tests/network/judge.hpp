@@ -28,6 +28,7 @@ struct Knowledge {
   double own_rate_hz{0.0};  ///< models of the own host's fusion
   double air_share{0.0};    ///< of the leaders' models over the air, those that arrived
   double air_gap_ms{0.0};   ///< longest time without one
+  double air_age_ms{0.0};   ///< median age of the leaders' models when they arrived
   double ball_rmse_m{0.0};  ///< of what a behaviour got, against the truth
   double ball_bound_m{0.0};  ///< root of the mean variance that the models themselves name
   std::set<int> leaders;     ///< whose models came over the air

@@ -13,7 +13,7 @@ namespace teamsight::network {
 namespace {
 
 // Part of the whole run by command: they take a minute, or say the same as a worse one.
-constexpr std::array<std::string_view, 3> kLeftOut{"split-60", "loss-10", "bursts"};
+constexpr std::array<std::string_view, 4> kLeftOut{"split-60", "loss-10", "bursts", "attack"};
 
 class Network : public ::testing::TestWithParam<Scenario> {};
 

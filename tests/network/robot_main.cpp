@@ -14,6 +14,7 @@
 #include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "client/world_choice.hpp"
+#include "process/air_share.hpp"
 #include "process/domains.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
@@ -36,6 +37,7 @@ struct Options {
   std::string robot;
   std::string log;
   std::string writers;
+  int speak_as{0};  ///< 0: under its own id
   double rate_hz{30.0};
   std::int64_t clock_ahead_s{0};
   std::int64_t clock_step_s{3600};  // between the clocks of two neighbours
@@ -52,8 +54,17 @@ class Speaker {
         clock_ahead_(clock_ahead),
         eye_(robot, id_.boot),
         random_(robot),
-        meter_("agent/" + std::to_string(robot), robot, id_.boot) {}
+        meter_("agent/" + std::to_string(robot), robot, id_.boot),
+        air_(team, "agent/" + std::to_string(robot)) {}
 
+  void attach(bus::Loop& loop, double rate_hz) {
+    loop.every(from_seconds(1.0 / rate_hz), [this] { speak(); });
+    loop.every(
+        std::chrono::seconds(1), [this] { report(); }, 0.1);
+    air_.attach(loop);
+  }
+
+ private:
   void speak() {
     const HostTime exposure = bus::host_now() - kExposedBefore;
     const MatchTime time = exposure.time_since_epoch() - clock_ahead_;
@@ -63,9 +74,12 @@ class Speaker {
     write_sightings(exposure);
   }
 
-  void report() { diagnostics_.write(meter_.report(bus::host_now())); }
+  void report() {
+    bus::Diagnostics report = meter_.report(bus::host_now());
+    air_.tell(report);
+    diagnostics_.write(report);
+  }
 
- private:
   void look(HostTime exposure, MatchTime time) {
     const auto X_FR = robot_at(id_.robot, time);
     eye_.look(X_FR, exposure, &random_);
@@ -104,6 +118,7 @@ class Speaker {
     sightings.posture = eye_.frame().posture;
     sightings.balls = eye_.frame().balls;
     sightings.obstacles = eye_.frame().obstacles;
+    process::trim(sightings, air_.thrift());
     sightings_.write(sightings);
   }
 
@@ -115,6 +130,7 @@ class Speaker {
   Eye eye_;
   fusion::test::Random random_;
   process::ProcessMeter meter_;
+  process::AirShare air_;
 };
 
 /// Writes down every world model that comes.
@@ -209,13 +225,15 @@ int run(const Options& options) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team = bus::Participant::join(process::team_domain(robot.team, {}), keeps_trying);
+  const auto team =
+      bus::Participant::join(process::team_domain(robot.team, {}, robot.id), keeps_trying);
   const auto host = bus::Participant::join(process::host_domain(robot.team, {}, tag), keeps_trying);
-  Speaker speaker(team, robot.id, std::chrono::seconds(options.clock_ahead_s));
+  const auto said = static_cast<RobotId>(options.speak_as);
+  Speaker speaker(
+      team, said == kNobody ? robot.id : said, std::chrono::seconds(options.clock_ahead_s));
   Witness witness(team, host, options);
   witness.attach(loop);
-  loop.every(from_seconds(1.0 / options.rate_hz), [&] { speaker.speak(); });
-  loop.every(std::chrono::seconds(1), [&] { speaker.report(); });
+  speaker.attach(loop, options.rate_hz);
   loop.run();
   if (!options.writers.empty()) list_writers(team, options.writers);
   return process::kDone;
@@ -230,6 +248,7 @@ int main(int argc, char** argv) {
     CLI::App app("A robot of the test bench of hosts.");
     app.add_option("--robot", options.robot, "robot file")->required();
     app.add_option("--log", options.log, "where the sights go")->required();
+    app.add_option("--speak-as", options.speak_as, "another robot's id in what it says");
     app.add_option("--writers", options.writers, "where all writers are named at the end");
     app.add_option("--rate-hz", options.rate_hz, "frames a second");
     app.add_option("--clock-ahead-s", options.clock_ahead_s, "of this host against the test");

@@ -293,6 +293,11 @@ const std::vector<Scenario>& all_scenarios() {
       {"clock-jump", "the wall clock of the leader's host jumps", clock_jump},
       {"no-multicast", "a network that drops multicast, with the unicast profile", no_multicast},
       {"opponents", "another team with the same domain id", opponents},
+      {"security",
+       "the same team without and with DDS Security; strangers and impostors",
+       security},
+      {"attack", "a stranger replays, truncates and forges; security off", attack_off},
+      {"attack-secured", "the same with security on", attack_on},
       {"flood", "a host floods the team's ports, 1000 packets a second", flood},
   };
   return all;

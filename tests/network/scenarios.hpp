@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,17 @@ struct Scenario {
   Outcome (*run)(const ScenarioOptions&);
 };
 
+/// For GoogleTest, which would print the bytes, pointers and all.
+inline void PrintTo(const Scenario& scenario, std::ostream* out) {
+  *out << scenario.name;
+}
+
 [[nodiscard]] const std::vector<Scenario>& all_scenarios();
+
+/// Of scenarios_security.cpp.
+[[nodiscard]] Outcome security(const ScenarioOptions& options);
+[[nodiscard]] Outcome attack_off(const ScenarioOptions& options);
+[[nodiscard]] Outcome attack_on(const ScenarioOptions& options);
 
 /// Random faults, one after the other; then the team must be whole, and no process have grown.
 [[nodiscard]] Outcome soak(const ScenarioOptions& options, double minutes);

@@ -20,6 +20,7 @@ void keep_worst(Knowledge& worst, const Knowledge& one) {
   worst.oldest_ms = std::max(worst.oldest_ms, one.oldest_ms);
   worst.own_rate_hz = std::min(worst.own_rate_hz, one.own_rate_hz);
   worst.air_gap_ms = std::max(worst.air_gap_ms, one.air_gap_ms);
+  worst.air_age_ms = std::max(worst.air_age_ms, one.air_age_ms);
   if (one.ball_rmse_m * worst.ball_bound_m >= worst.ball_rmse_m * one.ball_bound_m) {
     worst.ball_rmse_m = one.ball_rmse_m;  // the worst ratio of the two
     worst.ball_bound_m = one.ball_bound_m;
@@ -74,7 +75,7 @@ milliseconds Stage::observed(milliseconds base) const {
   return std::chrono::duration_cast<milliseconds>(base * length_);
 }
 
-void Stage::start() {
+double Stage::start() {
   const std::int64_t begin = now_ns();
   team.start_all();
   const std::uint8_t all = everybody(team.robots());
@@ -94,6 +95,7 @@ void Stage::start() {
   }
   outcome.say("until then on the wire, mostly discovery: " + number(1e-3 * sent, 0) + " kB in " +
               number(ms_since(begin, now_ns()), 0) + " ms");
+  return took;
 }
 
 Interval Stage::run_for(milliseconds duration) const {

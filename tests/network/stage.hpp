@@ -37,7 +37,8 @@ class Stage {
 
   /// Starts everything and waits until every robot is in every behaviour's model for half a second.
   /// Says how long that took.
-  void start();
+  /// @return that, in ms
+  double start();
 
   /// Lets it run and returns the interval.
   Interval run_for(milliseconds duration) const;

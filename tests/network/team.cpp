@@ -73,8 +73,29 @@ void Team::write_configuration() const {
                    "camera: \"../cameras/sim-640.textproto\"\nstrength: " + id + "0\n");
   }
   write_peers();
+  if (options_.secured) make_keys();
   write_file(file("index.html"), "<!doctype html><title>bench</title>");
   write_file(file("clock"), std::string(sizeof(std::int64_t), '\0'));
+}
+
+void Team::make_keys() const {
+  std::string ids;
+  for (int robot = 1; robot <= options_.robots; ++robot) {
+    ids += (ids.empty() ? "" : ",") + std::to_string(robot);
+  }
+  const std::string team = file("teams/bench.textproto").string();
+  test::ChildProcess keys({test::program("teamsight").string(),
+                           "keys",
+                           "--out",
+                           file("keys").string(),
+                           "--team",
+                           team,
+                           "--robots",
+                           ids});
+  if (keys.wait_exit(std::chrono::seconds(30)) != 0) {
+    throw std::runtime_error("teamsight keys: " + keys.err());
+  }
+  std::ofstream(team, std::ios::app) << "security: \"../keys\"\n";
 }
 
 // The unicast profile names the team's computers; here they have other addresses.
@@ -112,6 +133,10 @@ std::unique_ptr<test::ChildProcess> Team::spawn(std::size_t host,
 }
 
 void Team::start(RobotId robot) {
+  start_as(robot, robot);
+}
+
+void Team::start_as(RobotId robot, RobotId said) {
   const auto ahead =
       std::chrono::duration_cast<std::chrono::seconds>(Hosts::clock_ahead(host(robot)));
   of(robot).agent = spawn(host(robot),
@@ -124,6 +149,8 @@ void Team::start(RobotId robot) {
                            std::to_string(options_.rate_hz),
                            "--clock-ahead-s",
                            std::to_string(ahead.count()),
+                           "--speak-as",
+                           std::to_string(said),
                            "--writers",
                            file("writers" + std::to_string(robot)).string()},
                           robot == options_.with_loose_clock);

@@ -26,6 +26,7 @@ struct TeamOptions {
   RobotId robots{kRobots};
   bool has_coach{true};         ///< on the host after the robots
   std::string more_team_lines;  ///< added to the team file
+  bool secured{false};          ///< DDS Security, with keys of its own
   /// Robot whose processes see a wall clock that `jump_wall_clock` can move; 0 = nobody.
   RobotId with_loose_clock{kNobody};
 };
@@ -45,6 +46,9 @@ class Team {
 
   /// Starts the robot's camera-less agent and its fusion; the clock for "within 2 s" begins here.
   void start(RobotId robot);
+
+  /// The same, but what it says carries another robot's id.
+  void start_as(RobotId robot, RobotId said);
   void start_all();
   void start_fusion(RobotId robot);
   void start_coach();
@@ -92,6 +96,7 @@ class Team {
                                                           bool has_loose_clock = false) const;
   void write_configuration() const;
   void write_peers() const;
+  void make_keys() const;
   [[nodiscard]] std::filesystem::path log_of(RobotId robot) const;
   [[nodiscard]] std::string robot_file(RobotId robot) const;
 
