@@ -1,5 +1,6 @@
 // monitor/web/src/referee_view.ts: the game in the bar on top, and the referee's commands by hand.
 import type { MonitorUpdate, RecorderReport, RefereeReport } from "./generated/monitor_pb";
+import type { Diagnostics } from "./generated/recording_pb";
 import { byId, html, set, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
@@ -24,13 +25,25 @@ export function commandText(report: RefereeReport | undefined): string {
 
 /** What all processes together send, bit/s, as each measures itself; undefined: none says. */
 export function bitRate(update: MonitorUpdate): number | undefined {
-  let sum: number | undefined;
+  const all = speakers(update);
+  return all.length === 0 ? undefined : all.reduce((sum, process) => sum + process.wireBps, 0);
+}
+
+/** What is left out because the air is full, in the words of whoever leaves out most; empty: nothing. */
+export function thriftText(update: MonitorUpdate): string {
+  const most = speakers(update).reduce((one, other) => Math.max(one, other.thrift), 0);
+  return ["", "fewer diagnostics", "no raw obstacles far from the ball", "world model at 15 Hz", "no raw obstacles"][most] ?? "";
+}
+
+/** Whether everybody who is heard speaks with DDS Security on; undefined: nobody is heard. */
+export function isSecured(update: MonitorUpdate): boolean | undefined {
+  const all = speakers(update);
+  return all.length === 0 ? undefined : all.every((process) => process.secured);
+}
+
+function speakers(update: MonitorUpdate): Diagnostics[] {
   const agents = update.robots.flatMap((row) => (row.agent && row.alive ? [row.agent] : []));
-  for (const process of [...agents, ...update.processes]) {
-    const { wireBps } = process as { wireBps?: number };
-    if (wireBps !== undefined) sum = (sum ?? 0) + wireBps;
-  }
-  return sum;
+  return [...agents, ...update.processes];
 }
 
 export function recorderText(report: RecorderReport | undefined): string {
@@ -57,7 +70,11 @@ export function drawGame(update: MonitorUpdate): void {
   lamp("box", !report?.hasBox ? "off" : !connected ? "bad" : hz >= 10 ? "good" : "warn", connected ? `box ${hz.toFixed(0)} Hz` : "box", "World state to the referee box: 10 Hz or more is wanted");
   const bits = bitRate(update);
   const megabits = (bits ?? 0) / 1e6;
-  lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 ? "warn" : "good", bits === undefined ? "air –" : `air ${megabits.toFixed(2)}`, "What the team sends, Mbit/s with headers; the league's limit is 2.2");
+  const thrift = thriftText(update);
+  const airText = bits === undefined ? "air –" : `air ${megabits.toFixed(2)}`;
+  lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 || thrift ? "warn" : "good", thrift ? `${airText} · ${thrift}` : airText, "What the team sends, Mbit/s with headers; the league's limit is 2.2. Behind it: what is left out to keep within it");
+  const secured = isSecured(update);
+  lamp("security", secured ? "good" : "off", secured === undefined ? "security –" : secured ? "secured" : "security is off", secured ? "Only who has the team's keys can speak or listen" : "Anybody on this network can speak for a robot; teamsight keys makes the team's keys");
   const recorder = update.recorder;
   lamp("recorder", !recorder ? "off" : recorder.problem || recorder.dropped > 0n ? "bad" : "good", recorderText(recorder), recorder?.problem || recorder?.file || "Start the station with --record to record");
 }

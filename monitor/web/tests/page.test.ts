@@ -10,7 +10,7 @@ import { History, type Moment, updatesIn } from "../src/history";
 import { Player } from "../src/player";
 import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
-import { commandText, gameText } from "../src/referee_view";
+import { bitRate, commandText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
 import { cameraCell, halfCell, linkCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
 import { View } from "../src/view";
@@ -315,5 +315,29 @@ describe("orders", () => {
     expect(gameText(update.referee)).toBe("our kick-off");
     expect(commandText(update.referee)).toBe("no command yet");
     expect(gameText(undefined)).toBe("no referee");
+  });
+});
+
+describe("the team on the air", () => {
+  const process = { process: "fusion/1", wireBps: 4e5, thrift: 0, secured: true };
+
+  it("adds up everybody's rate, but not that of an agent that is gone", () => {
+    const robots = [{ alive: true, agent: { wireBps: 2e5 } }, { alive: false, agent: { wireBps: 9e5 } }];
+
+    expect(bitRate(create(MonitorUpdateSchema, { robots, processes: [process] }))).toBe(6e5);
+    expect(bitRate(create(MonitorUpdateSchema, {}))).toBeUndefined();
+  });
+
+  it("says what the thriftiest leaves out", () => {
+    const update = create(MonitorUpdateSchema, { processes: [process, { ...process, thrift: 3 }] });
+
+    expect(thriftText(update)).toBe("world model at 15 Hz");
+    expect(thriftText(create(MonitorUpdateSchema, { processes: [process] }))).toBe("");
+  });
+
+  it("calls a team secured only if all are", () => {
+    expect(isSecured(create(MonitorUpdateSchema, { processes: [process] }))).toBe(true);
+    expect(isSecured(create(MonitorUpdateSchema, { processes: [process, { ...process, secured: false }] }))).toBe(false);
+    expect(isSecured(create(MonitorUpdateSchema, {}))).toBeUndefined();
   });
 });
