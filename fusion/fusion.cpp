@@ -9,6 +9,9 @@ namespace {
 
 // 16 robots at 20 Hz for half a second, with room to spare; a babbler cannot make it grow.
 constexpr std::size_t kMaxHeld = 192;
+// Of one robot: 80 Hz. More is babble, and would push the others' frames out.
+constexpr std::size_t kMaxHeldOfOne = 40;
+constexpr Duration kBabbleMemory = std::chrono::seconds(2);
 
 auto sort_key(const Observation& observation) {
   return std::tie(observation.exposure, observation.id);
@@ -40,14 +43,48 @@ std::vector<NamedPlace> places_of(const std::vector<WorldObstacle>& obstacles) {
   return places;
 }
 
-TrackReport report_of(const Track& track, HostTime now, Duration window) {
+TrackReport report_of(const TrackBook& book, HostTime now, Duration window) {
   TrackReport report;
-  report.supporters = robots_within(track.supported, now, window);
+  report.supporters = robots_within(book.supported, now, window);
   report.rejected =
-      static_cast<RobotMask>(robots_within(track.rejected, now, window) & ~report.supporters);
-  report.born_ago = std::max(Duration{0}, now - track.born);
-  if (track.hits > 1) report.nis = track.nis_sum / (2.0 * (track.hits - 1.0));
+      static_cast<RobotMask>(robots_within(book.rejected, now, window) & ~report.supporters);
+  report.born_ago = std::max(Duration{0}, now - book.born);
+  if (book.hits > 1) report.nis = book.nis_sum / (book.hits - 1.0);
   return report;
+}
+
+NamedTracks named(const BallList& balls, HostTime at, const Parameters& parameters) {
+  NamedTracks tracks;
+  BallMotion motion = parameters.ball_motion;
+  motion.radius = parameters.ball_radius;
+  for (const BallTrack& track : balls) {
+    const BallMoments moments = moments_at(track, at, motion);
+    tracks.push_back({track.book.key,
+                      track.book.is_confirmed,
+                      std::max(at, track.book.time),
+                      moments.mean.head<2>(),
+                      moments.cov.topLeftCorner<2, 2>()});
+  }
+  return tracks;
+}
+
+NamedTracks named(const TrackList& obstacles, HostTime at, const Parameters& parameters) {
+  NamedTracks tracks;
+  for (const Track& track : obstacles) {
+    const PlanarMoments moments = moments_at(track, at, parameters.obstacle);
+    tracks.push_back({track.book.key,
+                      track.book.is_confirmed,
+                      std::max(at, track.book.time),
+                      moments.mean.head<2>(),
+                      moments.cov.topLeftCorner<2, 2>()});
+  }
+  return tracks;
+}
+
+template <class List>
+bool contains(const List& tracks, std::uint32_t key) {
+  return std::any_of(
+      tracks.begin(), tracks.end(), [key](const auto& track) { return track.book.key == key; });
 }
 
 }  // namespace
@@ -66,13 +103,16 @@ Intake Fusion::insert(const Observation& observation, HostTime now) {
     fold_front();
   }
   const Intake intake = judge(observation, now);
-  count(observation.id.robot, intake);
+  count(observation.id.robot, intake, now);
   if (intake != Intake::kAccepted) return intake;
   if (order_.size() == kMaxHeld) fold_front();
   const std::size_t place = place_of(observation);
   put(place, observation);
   take_in_from(place);
-  names_.keep_only(head().balls, head().obstacles);
+  const State& state = head();
+  names_.keep_if([&state](std::uint32_t key) {
+    return contains(state.balls, key) || contains(state.obstacles, key);
+  });
   return intake;
 }
 
@@ -82,6 +122,7 @@ Intake Fusion::judge(const Observation& observation, HostTime now) const {
   for (const std::size_t slot : order_) {
     if (slots_[slot].observation.id == id) return Intake::kDuplicate;
   }
+  if (held_of(id.robot) >= kMaxHeldOfOne) return Intake::kTooMany;
   const Folded& folded = folded_[index_of(id.robot)];
   if (folded.boot == id.boot && id.sequence <= folded.sequence) return Intake::kTooOld;
   if (observation.exposure < now - setting_.parameters.lag) return Intake::kTooOld;
@@ -91,7 +132,22 @@ Intake Fusion::judge(const Observation& observation, HostTime now) const {
   return is_before_checkpoint || is_pushed_out ? Intake::kTooOld : Intake::kAccepted;
 }
 
-void Fusion::count(RobotId robot, Intake intake) {
+std::size_t Fusion::held_of(RobotId robot) const {
+  return static_cast<std::size_t>(
+      std::count_if(order_.begin(), order_.end(), [&](std::size_t slot) {
+        return slots_[slot].observation.id.robot == robot;
+      }));
+}
+
+bool Fusion::is_babbling(RobotId robot, HostTime now) const {
+  return now - babbled_[index_of(robot)] <= kBabbleMemory;
+}
+
+void Fusion::count(RobotId robot, Intake intake, HostTime now) {
+  if (intake == Intake::kTooMany) {
+    babbled_[index_of(robot)] = now;
+    ++late_[index_of(robot)];
+  }
   if (intake == Intake::kDuplicate) ++duplicate_[index_of(robot)];
   if (intake == Intake::kTooOld || intake == Intake::kFromTheFuture) ++late_[index_of(robot)];
 }
@@ -141,6 +197,9 @@ const State& Fusion::head() const {
 
 WorldModel Fusion::world_at(HostTime now) const {
   WorldModel world = world_of(head(), now, setting_.parameters);
+  for (WorldTeammate& mate : world.teammates) {
+    if (is_babbling(mate.robot, now)) mate.quarantine = Quarantine::kBabbling;
+  }
   for (WorldBall& ball : world.balls) ball.track = names_.name_of(ball.track);
   for (WorldObstacle& obstacle : world.obstacles) obstacle.track = names_.name_of(obstacle.track);
   std::sort(world.obstacles.begin(), world.obstacles.end(), [](const auto& a, const auto& b) {
@@ -150,8 +209,15 @@ WorldModel Fusion::world_at(HostTime now) const {
 }
 
 void Fusion::adopt_ids(const WorldModel& world, HostTime at) {
-  names_.adopt(places_of(world.balls), head().balls, at, setting_.parameters.ball);
-  names_.adopt(places_of(world.obstacles), head().obstacles, at, setting_.parameters.obstacle);
+  const Parameters& parameters = setting_.parameters;
+  names_.adopt(places_of(world.balls),
+               named(head().balls, at, parameters),
+               at,
+               parameters.ball.gate_probability);
+  names_.adopt(places_of(world.obstacles),
+               named(head().obstacles, at, parameters),
+               at,
+               parameters.obstacle.gate_probability);
 }
 
 Report Fusion::report_at(HostTime now) const {
@@ -162,11 +228,11 @@ Report Fusion::report_at(HostTime now) const {
     return std::any_of(
         list.begin(), list.end(), [track](const auto& thing) { return thing.track == track; });
   };
-  const auto add = [&](const TrackList& tracks, const auto& listed, bool is_ball) {
-    for (const Track& track : tracks) {
-      const std::uint32_t name = names_.name_of(track.key);
+  const auto add = [&](const auto& tracks, const auto& listed, bool is_ball) {
+    for (const auto& track : tracks) {
+      const std::uint32_t name = names_.name_of(track.book.key);
       if (!is_in(listed, name)) continue;
-      report.tracks.push_back(report_of(track, now, window));
+      report.tracks.push_back(report_of(track.book, now, window));
       report.tracks.back().track = name;
       report.tracks.back().is_ball = is_ball;
     }
@@ -176,8 +242,11 @@ Report Fusion::report_at(HostTime now) const {
   for (const Teammate& teammate : head().teammates) {
     RobotReport robot;
     robot.robot = teammate.robot;
-    robot.quarantine = quarantine_of(teammate, now, setting_.parameters.teammate);
-    robot.trust = robot.quarantine == Quarantine::kNone ? 1.0 : 0.0;
+    robot.quarantine = quarantine_at(head(), teammate, now, setting_.parameters);
+    if (is_babbling(teammate.robot, now)) robot.quarantine = Quarantine::kBabbling;
+    robot.trust = robot.quarantine == Quarantine::kNone
+                      ? head().trust.trust(teammate.robot, now, setting_.parameters.trust)
+                      : 0.0;
     robot.accepted = teammate.accepted;
     robot.rejected_gate = teammate.rejected_gate;
     robot.rejected_late = late_[index_of(teammate.robot)];

@@ -16,7 +16,7 @@
 namespace teamsight::fusion {
 
 /// What became of one observation.
-enum class Intake : std::uint8_t { kAccepted, kDuplicate, kTooOld, kFromTheFuture };
+enum class Intake : std::uint8_t { kAccepted, kDuplicate, kTooOld, kFromTheFuture, kTooMany };
 
 /// Why one track is believed.
 struct TrackReport {
@@ -35,7 +35,7 @@ struct RobotReport {
   Quarantine quarantine{Quarantine::kNone};
   std::uint32_t accepted{0};            ///< ball rays and obstacle sightings used
   std::uint32_t rejected_gate{0};       ///< ... that fitted nothing
-  std::uint32_t rejected_late{0};       ///< frames too old, or from the future
+  std::uint32_t rejected_late{0};       ///< frames too old, from the future, or too many
   std::uint32_t rejected_duplicate{0};  ///< frames that had come before
   std::uint32_t rejected_posture{0};    ///< frames unused for want of a posture
 };
@@ -91,8 +91,10 @@ class Fusion {
     std::uint32_t sequence{0};
   };
 
+  [[nodiscard]] bool is_babbling(RobotId robot, HostTime now) const;
   [[nodiscard]] Intake judge(const Observation& observation, HostTime now) const;
-  void count(RobotId robot, Intake intake);
+  [[nodiscard]] std::size_t held_of(RobotId robot) const;
+  void count(RobotId robot, Intake intake, HostTime now);
   void fold_front();
   [[nodiscard]] std::size_t place_of(const Observation& observation) const;
   void put(std::size_t place, const Observation& observation);
@@ -109,6 +111,7 @@ class Fusion {
   std::vector<std::size_t> spare_;
   std::array<std::uint32_t, kMaxRobotId> late_{};
   std::array<std::uint32_t, kMaxRobotId> duplicate_{};
+  std::array<HostTime, kMaxRobotId> babbled_{no_robot_times()};
   TrackNames names_;
 };
 

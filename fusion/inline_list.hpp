@@ -1,6 +1,7 @@
 // fusion/inline_list.hpp: a list of bounded length that lives inside its owner, without allocation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -8,11 +9,31 @@
 
 namespace teamsight::fusion {
 
-/// Up to `N` values in order; copying copies the values, nothing is shared or allocated.
+/// Up to `N` values in order; copying copies the values there are, nothing is shared or allocated.
 template <class T, std::size_t N>
 class InlineList {
  public:
   static constexpr std::size_t kCapacity = N;
+
+  InlineList() = default;
+  ~InlineList() = default;
+
+  InlineList(const InlineList& other) : size_(other.size_) {
+    std::copy(other.begin(), other.end(), begin());
+  }
+
+  InlineList& operator=(const InlineList& other) {
+    size_ = other.size_;
+    if (this != &other) std::copy(other.begin(), other.end(), begin());
+    return *this;
+  }
+
+  // There is nothing to be taken away: moving copies the values there are.
+  InlineList(InlineList&& other) noexcept : InlineList(static_cast<const InlineList&>(other)) {}
+
+  InlineList& operator=(InlineList&& other) noexcept {
+    return *this = static_cast<const InlineList&>(other);
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "fusion/ball_motion.hpp"
 #include "geometry/time.hpp"
 
 namespace teamsight::fusion {
@@ -31,7 +32,10 @@ struct TrackParameters {
   Duration death_age{std::chrono::seconds(3)};
   /// A track whose log-odds of existence fall below this is dropped.
   double death_log_odds{-2.0};
-  double max_log_odds{4.6};  ///< 99 %
+  double most_vote{3.0};  ///< log-odds that one robot adds, or takes away: 95 %
+  Duration vote_memory{std::chrono::seconds(2)};
+  /// A track less probable than this is not published.
+  double least_existence{0.5};
   /// A track whose place is known worse (larger semi-axis of one sigma, m) is kept, and may be
   /// found again under its id, but not published: nobody can act on it.
   double max_sigma_published{1.0};
@@ -41,8 +45,7 @@ struct TrackParameters {
 
 [[nodiscard]] constexpr TrackParameters default_ball_parameters() {
   TrackParameters ball;
-  ball.velocity_decay = 0.2;
-  ball.sigma_speed_at_birth = 3.0;
+  ball.sigma_speed_at_birth = 4.0;
   ball.detection_probability = 0.6;
   ball.max_sigma_published = 3.0;  // even a rough memory of the ball says where to look
   return ball;
@@ -67,14 +70,43 @@ struct TeammateParameters {
   /// An ambiguous posture counts as resolved from these log-odds on (own evidence only): 95 %.
   double resolved_log_odds{2.94};
   /// How far a robot's visible body may lie aside from its posture; m.
-  double sigma_body{0.10};
+  double sigma_body{0.05};
+  /// Nothing but the robot itself can be seen so near to its posture; m.
+  double body_reach{0.55};
+  /// How long a posture's error lasts while the robot's own covariance stays; see TeamErrors.
+  Duration posture_memory{std::chrono::seconds(1)};
+  double sigma_scale{0.02};  ///< share by which a robot sees things too far away
+  Duration scale_memory{std::chrono::seconds(60)};
   Duration forget_age{std::chrono::seconds(5)};        ///< silent for longer: not listed
   Duration duplicate_memory{std::chrono::seconds(2)};  ///< see Quarantine::kDuplicateId
+};
+
+/// When a robot is believed, and when no more.
+struct TrustParameters {
+  Duration period{std::chrono::milliseconds(200)};  ///< between two looks at one robot's evidence
+  Duration fresh{std::chrono::milliseconds(300)};   ///< what is older is no evidence
+  Duration memory{std::chrono::seconds(8)};         ///< of evidence
+  double slack{0.15};          ///< m: standard deviation added to what is compared
+  double most_for{3.0};        ///< log-odds that one thing adds in one look
+  double most_against{1.5};    ///< ... takes away
+  double most_evidence{20.0};  ///< log-odds that a pair of robots gathers
+  /// Log-odds from which a pair of robots agrees, or contradicts each other.
+  double agreement{3.0};
+  double contradiction{4.0};
+  double mirror_gain{10.0};   ///< log-odds that a half must gain to be called wrong
+  double mirror_margin{2.5};  ///< ... and lead over the next best explanation
+  double most_own{4.0};       ///< of a robot's own log-odds of its half, however convinced it is
+  double biased{16.0};        ///< squared normalised offset of a posture, smoothed
+  double biased_ratio{4.0};   ///< ... over the median of the others
+  Duration hold{std::chrono::milliseconds(700)};  ///< a quarantine lasts at least
+  double jump{0.5};                               ///< m: a posture that jumps so far is held
 };
 
 /// Parameters of the whole fusion; SI and radians.
 struct Parameters {
   TrackParameters ball{default_ball_parameters()};
+  BallMotion ball_motion;
+  TrustParameters trust;
   TrackParameters obstacle{default_obstacle_parameters()};
   TeammateParameters teammate;
   double ball_radius{0.11};   ///< m

@@ -30,19 +30,25 @@ PlanarMoments PlanarFilter::moments() const {
   return moments;
 }
 
-PlanarMoments predicted(const PlanarMoments& moments, double dt, const PlanarMotion& motion) {
-  if (dt <= 0.0) return moments;
+PlanarStep planar_step(double dt, const PlanarMotion& motion) {
   const double left = std::exp(-motion.velocity_decay * dt);
   const double reach = motion.velocity_decay > 1e-9 ? (1.0 - left) / motion.velocity_decay : dt;
-  Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
-  transition.topRightCorner<2, 2>() = reach * Eigen::Matrix2d::Identity();
-  transition.bottomRightCorner<2, 2>() = left * Eigen::Matrix2d::Identity();
-  Eigen::Matrix4d disturbance;
+  PlanarStep step;
+  step.transition.setIdentity();
+  step.transition.topRightCorner<2, 2>() = reach * Eigen::Matrix2d::Identity();
+  step.transition.bottomRightCorner<2, 2>() = left * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d one = motion.acceleration_psd * Eigen::Matrix2d::Identity();
-  disturbance << one * (dt * dt * dt / 3.0), one * (dt * dt / 2.0), one * (dt * dt / 2.0), one * dt;
+  step.disturbance << one * (dt * dt * dt / 3.0), one * (dt * dt / 2.0), one * (dt * dt / 2.0),
+      one * dt;
+  return step;
+}
+
+PlanarMoments predicted(const PlanarMoments& moments, double dt, const PlanarMotion& motion) {
+  if (dt <= 0.0) return moments;
+  const PlanarStep step = planar_step(dt, motion);
   PlanarMoments later;
-  later.mean = transition * moments.mean;
-  later.cov = transition * moments.cov * transition.transpose() + disturbance;
+  later.mean = step.transition * moments.mean;
+  later.cov = step.transition * moments.cov * step.transition.transpose() + step.disturbance;
   return later;
 }
 

@@ -24,6 +24,15 @@ struct PlanarMotion {
   double velocity_decay{0.0};    ///< 1/s
 };
 
+/// One step forward: state' = transition * state, and what the disturbance adds to the covariance.
+struct PlanarStep {
+  Eigen::Matrix4d transition;
+  Eigen::Matrix4d disturbance;
+};
+
+/// @param dt  s, above 0
+[[nodiscard]] PlanarStep planar_step(double dt, const PlanarMotion& motion);
+
 /// State of the filter: information matrix and information vector, in which independent
 /// observations of one instant simply add up.
 class PlanarFilter {

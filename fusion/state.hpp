@@ -1,10 +1,13 @@
 // fusion/state.hpp: everything fusion believes at one moment, and how one observation changes it.
 #pragma once
 
+#include "fusion/ball_track.hpp"
 #include "fusion/observation.hpp"
 #include "fusion/parameters.hpp"
+#include "fusion/team_errors.hpp"
 #include "fusion/teammate.hpp"
 #include "fusion/track.hpp"
+#include "fusion/trust.hpp"
 #include "geometry/field_model.hpp"
 #include "geometry/world_model.hpp"
 
@@ -12,9 +15,11 @@ namespace teamsight::fusion {
 
 /// A plain value; the result of a sequence of observations and of nothing else.
 struct State {
-  TrackList balls;
+  BallList balls;
   TrackList obstacles;
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
+  TeamErrors errors;
+  TrustBook trust;
 };
 
 /// What every observation is taken in with.
@@ -25,11 +30,18 @@ struct Setting {
 
 /// Takes one observation in.
 ///
-/// Sightings of a robot without a resolved posture, or under whose id two processes speak, are
-/// not used. Sighted obstacles are given to teammates first, then to obstacle tracks.
+/// Sightings of a robot without a resolved posture, under whose id two processes speak, or that
+/// the others contradict, are not used. Sighted obstacles are given to teammates first, which
+/// tells of both robots' postures, then to obstacle tracks.
 ///
 /// @pre observations come in the order of their exposures, and are valid
 void advance(State& state, const Observation& observation, const Setting& setting);
+
+/// Why this robot's observations are not used at `now`.
+[[nodiscard]] Quarantine quarantine_at(const State& state,
+                                       const Teammate& teammate,
+                                       HostTime now,
+                                       const Parameters& parameters);
 
 /// The world at `now`, without maker and strength; track ids are the tracks' keys.
 ///

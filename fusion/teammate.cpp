@@ -46,13 +46,30 @@ void predict(PostureTrack& track, double dt, const TeammateParameters& parameter
   track.cov = transition * track.cov * transition.transpose() + disturbance;
 }
 
+PostureStep kind_of_jump(const Eigen::Vector3d& expected,
+                         const Pose<Field, Robot>& found,
+                         double far) {
+  const Pose<Field, Robot> other = mirrored({expected.x(), expected.y(), expected.z()});
+  const auto distance = [&](const Eigen::Vector2d& p_F) {
+    return (found.origin().vector() - p_F).norm();
+  };
+  constexpr double kSameHeading = 0.7;  // rad
+  const bool is_turned = std::abs(angle_difference(found.theta(), other.theta())) < kSameHeading;
+  if (is_turned && distance(other.origin().vector()) < 1.0) return PostureStep::kTurnedOver;
+  return distance(expected.head<2>()) < far ? PostureStep::kSmallJump : PostureStep::kJump;
+}
+
 }  // namespace
 
-void take_posture(PostureTrack& track,
-                  const PostureEstimate& posture,
-                  HostTime exposure,
-                  const TeammateParameters& parameters) {
-  if (track.time == kNever) return start(track, posture, exposure, parameters);
+PostureStep take_posture(PostureTrack& track,
+                         const PostureEstimate& posture,
+                         HostTime exposure,
+                         const TeammateParameters& parameters,
+                         double far) {
+  if (track.time == kNever) {
+    start(track, posture, exposure, parameters);
+    return PostureStep::kSmallJump;
+  }
   PostureTrack next = track;
   predict(next, std::max(0.0, to_seconds(exposure - track.time)), parameters);
   Eigen::Vector3d gap = posture.X_FR.vector() - next.mean.head<3>();
@@ -60,7 +77,11 @@ void take_posture(PostureTrack& track,
   const Eigen::Matrix3d cov_gap = next.cov.topLeftCorner<3, 3>() + posture.cov;
   const Eigen::LLT<Eigen::Matrix3d> factor(cov_gap);
   const double jump = chi_square_gate(3, parameters.jump_probability);
-  if (!(gap.dot(factor.solve(gap)) <= jump)) return start(track, posture, exposure, parameters);
+  if (!(gap.dot(factor.solve(gap)) <= jump)) {
+    const PostureStep step = kind_of_jump(next.mean.head<3>(), posture.X_FR, far);
+    start(track, posture, exposure, parameters);
+    return step;
+  }
   const Eigen::Matrix<double, 6, 3> gain = factor.solve(next.cov.topRows<3>()).transpose();
   next.mean += gain * gap;
   next.mean(2) = wrap_angle(next.mean(2));
@@ -72,6 +93,7 @@ void take_posture(PostureTrack& track,
   next.last = posture;
   next.time = exposure;
   track = next;
+  return PostureStep::kSteady;
 }
 
 CarriedPosture carried_to(const PostureTrack& track,
@@ -87,35 +109,37 @@ CarriedPosture carried_to(const PostureTrack& track,
   // the posture's, which is the filter's own block.
   const Eigen::Matrix3d cross = track.cov.topRightCorner<3, 3>();
   const Eigen::Matrix3d psd = acceleration_psd(parameters).asDiagonal();
-  const Eigen::Matrix3d cov = track.last.cov + dt * (cross + cross.transpose()) +
-                              dt * dt * track.cov.bottomRightCorner<3, 3>() +
-                              (dt * dt * dt / 3.0) * psd;
+  carried.cov_since = dt * dt * track.cov.bottomRightCorner<3, 3>() + (dt * dt * dt / 3.0) * psd;
+  const Eigen::Matrix3d cov = track.last.cov + dt * (cross + cross.transpose()) + carried.cov_since;
   carried.cov = 0.5 * (cov + cov.transpose());
   return carried;
 }
 
-void take_frame(Teammate& teammate,
-                const ObservationId& id,
-                const PostureEstimate& posture,
-                HostTime exposure,
-                const TeammateParameters& parameters) {
+PostureStep take_frame(Teammate& teammate,
+                       const ObservationId& id,
+                       const PostureEstimate& posture,
+                       HostTime exposure,
+                       const Parameters& parameters) {
+  PostureStep step = PostureStep::kSteady;
   if (teammate.boot != id.boot) {
     // One that spoke before and speaks again: two are alive. A new one: a restart.
     const bool is_back = teammate.other_boot == id.boot &&
-                         exposure - teammate.other_seen <= parameters.duplicate_memory;
+                         exposure - teammate.other_seen <= parameters.teammate.duplicate_memory;
     if (is_back) teammate.duplicate_seen = exposure;
     teammate.other_boot = teammate.boot;
     teammate.other_seen = teammate.seen;
     teammate.boot = id.boot;
     teammate.posture = PostureTrack{};
+    step = PostureStep::kNewProcess;
   }
   teammate.seen = std::max(teammate.seen, exposure);
   teammate.frame = id.sequence;
   teammate.status = posture.status;
   teammate.half_log_odds = posture.half_log_odds;
-  if (posture.status != PostureStatus::kLost) {
-    take_posture(teammate.posture, posture, exposure, parameters);
-  }
+  if (posture.status == PostureStatus::kLost) return step;
+  const PostureStep next =
+      take_posture(teammate.posture, posture, exposure, parameters.teammate, parameters.trust.jump);
+  return step == PostureStep::kSteady ? next : step;
 }
 
 bool is_resolved(PostureStatus status, double half_log_odds, const TeammateParameters& parameters) {

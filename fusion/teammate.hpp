@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "fusion/parameters.hpp"
-#include "fusion/track.hpp"
+#include "fusion/track_book.hpp"
 #include "geometry/identity.hpp"
 #include "geometry/sighting.hpp"
 #include "geometry/time.hpp"
@@ -25,17 +25,31 @@ struct PostureTrack {
   HostTime time{kNever};  ///< its exposure; kNever: there was none
 };
 
+/// How a posture follows from the one before.
+enum class PostureStep : std::uint8_t {
+  kSteady,
+  kSmallJump,   ///< it corrected itself
+  kTurnedOver,  ///< to the mirror image
+  kJump,        ///< elsewhere
+  kNewProcess,
+};
+
 /// Takes the next posture in. @pre it is not lost, and not older than the last
-void take_posture(PostureTrack& track,
-                  const PostureEstimate& posture,
-                  HostTime exposure,
-                  const TeammateParameters& parameters);
+///
+/// @param far  m: a jump beyond is no correction
+PostureStep take_posture(PostureTrack& track,
+                         const PostureEstimate& posture,
+                         HostTime exposure,
+                         const TeammateParameters& parameters,
+                         double far = 0.5);
 
 /// A robot's posture carried forward.
 struct CarriedPosture {
   Pose<Field, Robot> X_FR;
   Velocity<Field> v_FR;                              ///< m/s
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< of (x, y, theta); m, m, rad
+  /// What the way since the last posture adds, if that posture's error is known otherwise.
+  Eigen::Matrix3d cov_since{Eigen::Matrix3d::Zero()};
 };
 
 /// @pre the track has a posture
@@ -63,11 +77,11 @@ struct Teammate {
 };
 
 /// Notes that this frame of this robot came, with this posture.
-void take_frame(Teammate& teammate,
-                const ObservationId& id,
-                const PostureEstimate& posture,
-                HostTime exposure,
-                const TeammateParameters& parameters);
+PostureStep take_frame(Teammate& teammate,
+                       const ObservationId& id,
+                       const PostureEstimate& posture,
+                       HostTime exposure,
+                       const Parameters& parameters);
 
 /// Whether this posture can carry sightings into F: it is sure, or ambiguous with the robot's own
 /// evidence for this half.

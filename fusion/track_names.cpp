@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "fusion/assignment.hpp"
 #include "geometry/uncertainty.hpp"
 
 namespace teamsight::fusion {
@@ -14,11 +13,6 @@ constexpr double kSameNameBonus = 20.0;  // two tracks side by side do not swap 
 constexpr double kTentativePenalty = 15.0;
 // Two instances that lost different packets see the same thing this much apart; m^2.
 constexpr double kSlackVar = 0.01;
-
-bool contains(const TrackList& tracks, std::uint32_t key) {
-  return std::any_of(
-      tracks.begin(), tracks.end(), [key](const Track& track) { return track.key == key; });
-}
 
 }  // namespace
 
@@ -40,35 +34,32 @@ void TrackNames::set(std::uint32_t key, std::uint32_t name) {
 }
 
 double TrackNames::pair_cost(const NamedPlace& place,
-                             const Track& track,
+                             const NamedTrack& track,
                              HostTime at,
-                             const TrackParameters& parameters) const {
-  const PlanarMoments moments = moments_at(track, at, parameters);
-  const Eigen::Matrix2d cov =
-      place.cov + moments.cov.topLeftCorner<2, 2>() + kSlackVar * Eigen::Matrix2d::Identity();
+                             double gate_probability) const {
+  const Eigen::Matrix2d cov = place.cov + track.cov + kSlackVar * Eigen::Matrix2d::Identity();
   // A track may already be later than the places are.
   const double later = std::max(0.0, to_seconds(track.time - at));
-  const double distance =
-      squared_mahalanobis(place.p_F + later * place.v_F - moments.mean.head<2>(), cov);
-  if (!(distance <= chi_square_gate(2, parameters.gate_probability))) return kForbidden;
+  const double distance = squared_mahalanobis(place.p_F + later * place.v_F - track.p_F, cov);
+  if (!(distance <= chi_square_gate(2, gate_probability))) return kForbidden;
   return distance - (name_of(track.key) == place.track ? kSameNameBonus : 0.0) +
          (track.is_confirmed ? 0.0 : kTentativePenalty);
 }
 
 void TrackNames::adopt(const std::vector<NamedPlace>& places,
-                       const TrackList& tracks,
+                       const NamedTracks& tracks,
                        HostTime at,
-                       const TrackParameters& parameters) {
+                       double gate_probability) {
   const auto rows = std::min(places.size(), static_cast<std::size_t>(kMaxAssignmentRows));
   CostMatrix cost(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(tracks.size()));
   for (std::size_t column = 0; column < tracks.size(); ++column) {
     for (std::size_t row = 0; row < rows; ++row) {
       cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          pair_cost(places[row], tracks[column], at, parameters);
+          pair_cost(places[row], tracks[column], at, gate_probability);
     }
   }
   const Assignment assignment = assign(cost, kAlonePrice);
-  std::array<bool, kMaxTracks> is_named{};
+  std::array<bool, kMaxAssignmentColumns> is_named{};
   for (std::size_t row = 0; row < rows; ++row) {
     if (assignment[row] == kUnassigned) continue;
     const auto column = static_cast<std::size_t>(assignment[row]);
@@ -80,8 +71,8 @@ void TrackNames::adopt(const std::vector<NamedPlace>& places,
 
 /// Whoever bears the name of one of the places without lying there gets a new one.
 void TrackNames::rename_strays(const std::vector<NamedPlace>& places,
-                               const TrackList& tracks,
-                               const std::array<bool, kMaxTracks>& is_named) {
+                               const NamedTracks& tracks,
+                               const std::array<bool, kMaxAssignmentColumns>& is_named) {
   for (std::size_t column = 0; column < tracks.size(); ++column) {
     const std::uint32_t key = tracks[column].key;
     const std::uint32_t name = name_of(key);
@@ -89,12 +80,6 @@ void TrackNames::rename_strays(const std::vector<NamedPlace>& places,
         places.begin(), places.end(), [name](const auto& place) { return place.track == name; });
     if (!is_named[column] && is_taken) set(key, track_key({kNobody, key, name}, 0));
   }
-}
-
-void TrackNames::keep_only(const TrackList& balls, const TrackList& obstacles) {
-  std::erase_if(aliases_, [&](const Alias& alias) {
-    return !contains(balls, alias.key) && !contains(obstacles, alias.key);
-  });
 }
 
 }  // namespace teamsight::fusion

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "fusion/parameters.hpp"
-#include "fusion/track.hpp"
+#include "fusion/assignment.hpp"
+#include "fusion/track_book.hpp"
 #include "geometry/world_model.hpp"
 
 namespace teamsight::fusion {
@@ -19,6 +19,17 @@ struct NamedPlace {
   Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};  ///< of p_F; m^2
 };
 
+/// A track as far as its name is concerned.
+struct NamedTrack {
+  std::uint32_t key{0};
+  bool is_confirmed{false};
+  HostTime time{kNever};                             ///< what it is predicted to; not before `at`
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};      ///< m
+  Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};  ///< of p_F; m^2
+};
+
+using NamedTracks = InlineList<NamedTrack, kMaxAssignmentColumns>;
+
 /// Public ids of tracks, where they differ from the tracks' keys.
 class TrackNames {
  public:
@@ -30,12 +41,15 @@ class TrackNames {
   ///
   /// @param at  when the places were
   void adopt(const std::vector<NamedPlace>& places,
-             const TrackList& tracks,
+             const NamedTracks& tracks,
              HostTime at,
-             const TrackParameters& parameters);
+             double gate_probability);
 
-  /// Forgets the names of tracks that are in neither list.
-  void keep_only(const TrackList& balls, const TrackList& obstacles);
+  /// Forgets the names of tracks for which `is_alive(key)` does not hold.
+  template <class Predicate>
+  void keep_if(Predicate is_alive) {
+    std::erase_if(aliases_, [&](const Alias& alias) { return !is_alive(alias.key); });
+  }
 
  private:
   struct Alias {
@@ -44,13 +58,13 @@ class TrackNames {
   };
 
   [[nodiscard]] double pair_cost(const NamedPlace& place,
-                                 const Track& track,
+                                 const NamedTrack& track,
                                  HostTime at,
-                                 const TrackParameters& parameters) const;
+                                 double gate_probability) const;
   void set(std::uint32_t key, std::uint32_t name);
   void rename_strays(const std::vector<NamedPlace>& places,
-                     const TrackList& tracks,
-                     const std::array<bool, kMaxTracks>& is_named);
+                     const NamedTracks& tracks,
+                     const std::array<bool, kMaxAssignmentColumns>& is_named);
 
   std::vector<Alias> aliases_;
 };

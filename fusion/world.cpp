@@ -1,5 +1,6 @@
 // fusion/world.cpp: from what fusion believes to the world model (fusion/state.hpp).
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -9,30 +10,29 @@
 namespace teamsight::fusion {
 namespace {
 
-// The ball is taken to lie on the floor; how far its height and its climb may differ from that.
-constexpr double kSigmaHeight = 0.03;  // m
-constexpr double kSigmaClimb = 0.3;    // m/s
+BallMotion ball_motion_of(const Parameters& parameters) {
+  BallMotion motion = parameters.ball_motion;
+  motion.radius = parameters.ball_radius;
+  return motion;
+}
 
 Duration age_of(HostTime then, HostTime now) {
   return std::max(Duration{0}, now - then);
 }
 
-WorldBall world_ball(const Track& track, HostTime now, const Parameters& parameters) {
-  const PlanarMoments moments = moments_at(track, now, parameters.ball);
+WorldBall world_ball(const BallTrack& track, HostTime now, const Parameters& parameters) {
+  const BallMoments moments = moments_at(track, now, ball_motion_of(parameters));
+  const TrackBook& book = track.book;
   WorldBall ball;
-  ball.track = track.key;
-  ball.p_FB = {moments.mean(0), moments.mean(1), parameters.ball_radius};
-  ball.v_FB = {moments.mean(2), moments.mean(3), 0.0};
-  ball.cov_p.setZero();
-  ball.cov_p.topLeftCorner<2, 2>() = moments.cov.topLeftCorner<2, 2>();
-  ball.cov_p(2, 2) = kSigmaHeight * kSigmaHeight;
-  ball.cov_v.setZero();
-  ball.cov_v.topLeftCorner<2, 2>() = moments.cov.bottomRightCorner<2, 2>();
-  ball.cov_v(2, 2) = kSigmaClimb * kSigmaClimb;
-  ball.existence = existence_at(track, now, parameters.ball);
-  ball.age = age_of(track.last_hit, now);
-  ball.supporters = robots_within(track.supported, now, parameters.support_window);
-  const RobotMask others = robots_within(track.rejected, now, parameters.support_window);
+  ball.track = book.key;
+  ball.p_FB = Point3<Field>::from(moments.mean.head<3>());
+  ball.v_FB = Velocity3<Field>::from(moments.mean.tail<3>());
+  ball.cov_p = moments.cov.topLeftCorner<3, 3>();
+  ball.cov_v = moments.cov.bottomRightCorner<3, 3>();
+  ball.existence = existence_at(book, now, parameters.ball);
+  ball.age = age_of(book.last_hit, now);
+  ball.supporters = robots_within(book.supported, now, parameters.support_window);
+  const RobotMask others = robots_within(book.rejected, now, parameters.support_window);
   ball.rejected = static_cast<RobotMask>(others & ~ball.supporters);
   return ball;
 }
@@ -40,36 +40,58 @@ WorldBall world_ball(const Track& track, HostTime now, const Parameters& paramet
 WorldObstacle world_obstacle(const Track& track, HostTime now, const Parameters& parameters) {
   const PlanarMoments moments = moments_at(track, now, parameters.obstacle);
   WorldObstacle obstacle;
-  obstacle.track = track.key;
+  obstacle.track = track.book.key;
   obstacle.p_FO = {moments.mean(0), moments.mean(1)};
   obstacle.v_FO = {moments.mean(2), moments.mean(3)};
   obstacle.cov_p = moments.cov.topLeftCorner<2, 2>();
   obstacle.radius = track.radius;
-  obstacle.existence = existence_at(track, now, parameters.obstacle);
-  obstacle.age = age_of(track.last_hit, now);
-  obstacle.supporters = robots_within(track.supported, now, parameters.support_window);
+  obstacle.existence = existence_at(track.book, now, parameters.obstacle);
+  obstacle.age = age_of(track.book.last_hit, now);
+  obstacle.supporters = robots_within(track.book.supported, now, parameters.support_window);
   return obstacle;
 }
 
-WorldTeammate world_teammate(const Teammate& known, HostTime now, const Parameters& parameters) {
+/// The posture carried to `now`, corrected by what the others see of it.
+void fill_posture(const State& state,
+                  const Teammate& known,
+                  HostTime now,
+                  const Parameters& parameters,
+                  WorldTeammate& teammate) {
+  const CarriedPosture carried = carried_to(known.posture, now, parameters.teammate);
+  teammate.X_FR = carried.X_FR;
+  teammate.v_FR = carried.v_FR;
+  teammate.cov = carried.cov;
+  const ErrorPlace place = state.errors.place_of(known.robot);
+  if (place == kNoPlace || teammate.quarantine != Quarantine::kNone) return;
+  const Eigen::Vector3d error = state.errors.mean(place).head<3>();
+  const Eigen::Vector3d corrected = carried.X_FR.vector() - error;
+  teammate.X_FR = {corrected.x(), corrected.y(), corrected.z()};
+  const Eigen::Matrix3d cov = state.errors.cov(place).topLeftCorner<3, 3>() + carried.cov_since;
+  teammate.cov = 0.5 * (cov + cov.transpose());
+}
+
+WorldTeammate world_teammate(const State& state,
+                             const Teammate& known,
+                             HostTime now,
+                             const Parameters& parameters) {
   WorldTeammate teammate;
   teammate.robot = known.robot;
   teammate.status = known.status;
   teammate.half_log_odds = known.half_log_odds;
+  teammate.half_log_odds_team = state.trust.half_log_odds(known.robot, parameters.trust);
   teammate.frame = known.frame;
   teammate.age = age_of(known.seen, now);
-  teammate.quarantine = quarantine_of(known, now, parameters.teammate);
-  teammate.trust = teammate.quarantine == Quarantine::kNone ? 1.0 : 0.0;
+  teammate.quarantine = quarantine_at(state, known, now, parameters);
+  teammate.trust = teammate.quarantine == Quarantine::kNone
+                       ? state.trust.trust(known.robot, now, parameters.trust)
+                       : 0.0;
   teammate.sees_ball = now - known.ball_seen <= parameters.support_window;
   if (known.posture.time == kNever) {
     // Never located: the status says so; the covariance says anywhere on any field.
     teammate.cov.diagonal() << 100.0, 100.0, 10.0;
     return teammate;
   }
-  const CarriedPosture carried = carried_to(known.posture, now, parameters.teammate);
-  teammate.X_FR = carried.X_FR;
-  teammate.v_FR = carried.v_FR;
-  teammate.cov = carried.cov;
+  fill_posture(state, known, now, parameters, teammate);
   return teammate;
 }
 
@@ -78,8 +100,10 @@ bool is_placed(const Eigen::Matrix2d& cov, const TrackParameters& parameters) {
   return axes.eigenvalues().maxCoeff() <= std::pow(parameters.max_sigma_published, 2);
 }
 
-bool is_listed(const Track& track, HostTime now, const TrackParameters& parameters) {
-  return track.is_confirmed && now - track.last_hit <= parameters.death_age;
+bool is_listed(const TrackBook& book, HostTime now, const TrackParameters& parameters) {
+  return book.is_confirmed && now - book.last_hit <= parameters.death_age &&
+         log_odds_of(book) >
+             std::log(parameters.least_existence / (1.0 - parameters.least_existence));
 }
 
 template <class List>
@@ -88,6 +112,31 @@ void keep_most_probable(List& list, std::size_t count) {
     return a.existence > b.existence;
   });
   if (list.size() > count) list.resize(count);
+}
+
+/// The ball that most robots see now comes first, then the most probable: a robot that is alone
+/// with what it sees is more often wrong than all others.
+std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parameters& parameters) {
+  struct Ranked {
+    WorldBall ball;
+    int watchers{0};
+  };
+
+  constexpr Duration kNow = std::chrono::milliseconds(200);
+  std::vector<Ranked> ranked;
+  for (const BallTrack& track : state.balls) {
+    if (!is_listed(track.book, now, parameters.ball)) continue;
+    const WorldBall ball = world_ball(track, now, parameters);
+    if (!is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball)) continue;
+    ranked.push_back({ball, std::popcount(robots_within(track.book.supported, now, kNow))});
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+    return a.watchers != b.watchers ? a.watchers > b.watchers : a.ball.existence > b.ball.existence;
+  });
+  if (ranked.size() > kMaxWorldBalls) ranked.resize(kMaxWorldBalls);
+  std::vector<WorldBall> balls;
+  for (const Ranked& one : ranked) balls.push_back(one.ball);
+  return balls;
 }
 
 void keep_freshest(std::vector<WorldTeammate>& list, std::size_t count) {
@@ -101,22 +150,17 @@ void keep_freshest(std::vector<WorldTeammate>& list, std::size_t count) {
 WorldModel world_of(const State& state, HostTime now, const Parameters& parameters) {
   WorldModel world;
   world.stamp = stamp_of(now);
-  for (const Track& track : state.balls) {
-    if (!is_listed(track, now, parameters.ball)) continue;
-    const WorldBall ball = world_ball(track, now, parameters);
-    if (is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball)) world.balls.push_back(ball);
-  }
+  world.balls = best_balls(state, now, parameters);
   for (const Track& track : state.obstacles) {
-    if (!is_listed(track, now, parameters.obstacle)) continue;
+    if (!is_listed(track.book, now, parameters.obstacle)) continue;
     const WorldObstacle obstacle = world_obstacle(track, now, parameters);
     if (is_placed(obstacle.cov_p, parameters.obstacle)) world.obstacles.push_back(obstacle);
   }
   for (const Teammate& teammate : state.teammates) {
     if (now - teammate.seen <= parameters.teammate.forget_age) {
-      world.teammates.push_back(world_teammate(teammate, now, parameters));
+      world.teammates.push_back(world_teammate(state, teammate, now, parameters));
     }
   }
-  keep_most_probable(world.balls, kMaxWorldBalls);
   keep_most_probable(world.obstacles, kMaxWorldObstacles);
   keep_freshest(world.teammates, kMaxWorldTeammates);
   std::sort(world.teammates.begin(), world.teammates.end(), [](const auto& a, const auto& b) {

@@ -123,6 +123,8 @@ void Service::take_sample(const bus::Sightings& sightings, HostTime now) {
       return meter_.count("Sightings.too_old");
     case Intake::kFromTheFuture:
       return meter_.count("Sightings.from_the_future");
+    case Intake::kTooMany:
+      return meter_.count("Sightings.too_many");
   }
 }
 

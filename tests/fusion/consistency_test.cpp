@@ -43,6 +43,13 @@ class SquaredErrors {
     EXPECT_NEAR(sum_ / count_, degrees, spread + slack * degrees) << "over " << count_;
   }
 
+  /// Within these shares of the degrees of freedom.
+  void expect_between(int degrees, double least, double most) const {
+    ASSERT_GT(count_, 100);
+    EXPECT_GT(sum_ / count_, least * degrees) << "over " << count_;
+    EXPECT_LT(sum_ / count_, most * degrees) << "over " << count_;
+  }
+
  private:
   double sum_{0.0};
   int count_{0};
@@ -66,21 +73,35 @@ struct Mover {
   }
 };
 
+/// A ball that rolls, braked by the carpet and disturbed by white acceleration.
+struct Roller {
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};
+  Eigen::Vector2d v_F{Eigen::Vector2d::Zero()};
+
+  void move(double dt, const BallMotion& motion, Random& random) {
+    const double speed = v_F.norm();
+    if (speed > 1e-9) v_F *= std::max(0.0, 1.0 - motion.friction * dt / speed);
+    p_F += v_F * dt;
+    const double push = std::sqrt(motion.rolling_psd * dt);
+    v_F += Eigen::Vector2d(normal(random, push), normal(random, push));
+  }
+};
+
 const Pose<Field, Robot> kStands[] = {{-3.0, -1.0, 0.4}, {2.5, 2.0, -2.0}, {0.5, -3.0, 1.6}};
 
 /// Three robots watch a ball and an opponent for a second; what is the world worth at the end?
-WorldModel watch(std::uint64_t seed, Mover& ball, Mover& opponent, Report& report) {
+WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& report) {
   Random random(seed);
   const test::EyeNoise noise{0.004, 0.05, 0.02, 0.005};
   Eye eyes[] = {{1, 11, noise}, {2, 22, noise}, {3, 33, noise}};
   const Parameters parameters;
   Fusion fusion(parameters, test::plain_field());
-  ball.v_F << normal(random, 0.7), normal(random, 0.7);
+  ball.v_F << normal(random, 1.5), normal(random, 1.5);
   opponent.p_F << -0.5, 1.5;
   HostTime now = at_second(0.0);
   for (int i = 0; i < 90; ++i) {
     const double dt = kFrame / 3.0;
-    ball.move(dt, parameters.ball, random);
+    ball.move(dt, parameters.ball_motion, random);
     opponent.move(dt, parameters.obstacle, random);
     now += from_seconds(dt);
     Eye& eye = eyes[i % 3];
@@ -100,7 +121,7 @@ TEST(FusionConsistency, ErrorsAndInnovationsFitTheirCovariances) {
   SquaredErrors ball_innovation;
   SquaredErrors obstacle_innovation;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-    Mover ball;
+    Roller ball;
     Mover opponent;
     Report report;
     const WorldModel world = watch(seed, ball, opponent, report);
@@ -117,13 +138,13 @@ TEST(FusionConsistency, ErrorsAndInnovationsFitTheirCovariances) {
     }
   }
 
-  // A ray's range is not linear in its elevation: 5 %.
-  ball_position.expect_chi_square(2, 0.05);
-  ball_velocity.expect_chi_square(2, 0.05);
-  obstacle_position.expect_chi_square(2, 0.05);
-  // Each is a mean over 90 innovations: far tighter than one, per two degrees of freedom.
-  ball_innovation.expect_chi_square(1, 0.05, 90);
-  obstacle_innovation.expect_chi_square(1, 0.05, 90);
+  // Errors that last are considered although these do not, and a ball that rolls might have been
+  // kicked just now: wider than needed here, never narrower.
+  ball_position.expect_between(2, 0.35, 1.2);
+  ball_velocity.expect_between(2, 0.25, 1.2);
+  obstacle_position.expect_between(2, 0.5, 1.2);
+  ball_innovation.expect_between(1, 0.5, 1.2);
+  obstacle_innovation.expect_between(1, 0.5, 1.2);
 }
 
 TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {

@@ -14,6 +14,7 @@ namespace {
 using test::at_second;
 
 const TeammateParameters kParameters;
+const Parameters kAll;
 
 PostureEstimate posture_at(double x, double y, double theta) {
   PostureEstimate posture;
@@ -71,10 +72,10 @@ TEST(PostureTrack, AJumpIsNoVelocity) {
 
 TEST(Teammate, ThatIsLostKeepsItsLastPostureAndSaysSo) {
   Teammate mate;
-  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.0), kParameters);
+  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.0), kAll);
   PostureEstimate lost;
 
-  take_frame(mate, {1, 7, 1}, lost, at_second(0.1), kParameters);
+  take_frame(mate, {1, 7, 1}, lost, at_second(0.1), kAll);
 
   EXPECT_EQ(mate.status, PostureStatus::kLost);
   EXPECT_EQ(mate.posture.last.X_FR.x(), 1.0);
@@ -83,10 +84,10 @@ TEST(Teammate, ThatIsLostKeepsItsLastPostureAndSaysSo) {
 
 TEST(Teammate, ThatWasRestartedIsNotADuplicate) {
   Teammate mate;
-  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.0), kParameters);
+  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.0), kAll);
 
   for (int i = 1; i < 5; ++i) {
-    take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.1 * i), kParameters);
+    take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), at_second(0.1 * i), kAll);
   }
 
   EXPECT_EQ(quarantine_of(mate, at_second(0.5), kParameters), Quarantine::kNone);
@@ -96,12 +97,11 @@ TEST(Teammate, TwoProcessesThatSpeakInTurnAreADuplicateUntilOneStops) {
   Teammate mate;
   for (int i = 0; i < 6; ++i) {
     const auto boot = static_cast<std::uint32_t>(7 + i % 2);
-    take_frame(
-        mate, {1, boot, 1}, posture_at(1.0 * (i % 2), 2.0, 0.0), at_second(0.1 * i), kParameters);
+    take_frame(mate, {1, boot, 1}, posture_at(1.0 * (i % 2), 2.0, 0.0), at_second(0.1 * i), kAll);
   }
   EXPECT_EQ(quarantine_of(mate, at_second(0.6), kParameters), Quarantine::kDuplicateId);
 
-  take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), at_second(3.0), kParameters);
+  take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), at_second(3.0), kAll);
 
   EXPECT_EQ(quarantine_of(mate, at_second(3.0), kParameters), Quarantine::kNone);
 }

@@ -1,0 +1,82 @@
+// fusion/ball_motion.cpp: see fusion/ball_motion.hpp.
+#include "fusion/ball_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace teamsight::fusion {
+namespace {
+
+/// White acceleration in the axes that are free.
+BallMatrix white_acceleration(double dt, double psd, const Eigen::Vector3d& axes) {
+  BallMatrix disturbance = BallMatrix::Zero();
+  const Eigen::Matrix3d one = (psd * axes).asDiagonal();
+  disturbance << one * (dt * dt * dt / 3.0), one * (dt * dt / 2.0), one * (dt * dt / 2.0), one * dt;
+  return disturbance;
+}
+
+}  // namespace
+
+BallStep step_rolling(const BallVector& mean, double dt, double psd, const BallMotion& motion) {
+  const double speed = mean.segment<2>(3).norm();
+  const double braked = motion.friction * dt;
+  // Below a speed that it may or may not have, friction has no direction.
+  const double kept = speed > 1e-6 ? std::max(0.0, 1.0 - braked / speed) : 0.0;
+  BallStep step;
+  step.mean = mean;
+  step.mean.head<2>() += 0.5 * (1.0 + kept) * dt * mean.segment<2>(3);
+  step.mean.segment<2>(3) *= kept;
+  step.mean(2) = motion.radius;
+  step.mean(5) = 0.0;
+  step.transition.setIdentity();
+  step.transition(0, 3) = step.transition(1, 4) = dt;
+  step.transition.row(2).setZero();
+  step.transition.row(5).setZero();
+  step.disturbance = white_acceleration(dt, psd, {1.0, 1.0, 0.0});
+  step.disturbance(2, 2) = motion.sigma_floor * motion.sigma_floor;
+  step.disturbance(5, 5) = motion.sigma_floor * motion.sigma_floor;
+  return step;
+}
+
+BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion) {
+  BallStep step;
+  const double braked = motion.drag * mean.tail<3>().norm() * dt;
+  step.mean = mean;
+  step.mean.head<3>() += dt * mean.tail<3>();
+  step.mean(2) -= 0.5 * motion.gravity * dt * dt;
+  step.mean.tail<3>() *= std::max(0.0, 1.0 - braked);
+  step.mean(5) -= motion.gravity * dt;
+  step.transition.setIdentity();
+  step.transition.topRightCorner<3, 3>() = dt * Eigen::Matrix3d::Identity();
+  step.disturbance = white_acceleration(dt, motion.flying_psd, {1.0, 1.0, 1.0});
+  if (step.mean(2) >= motion.radius || step.mean(5) >= 0.0) return step;
+  const double doubt = motion.bounce_doubt * step.mean.tail<3>().norm();
+  BallVector kept = BallVector::Ones();
+  kept(2) = kept(5) = -motion.climb_kept;
+  kept(3) = kept(4) = motion.speed_kept;
+  step.mean(2) -= motion.radius;
+  step.mean = kept.asDiagonal() * step.mean;
+  step.mean(2) += motion.radius;
+  step.transition = kept.asDiagonal() * step.transition;
+  step.disturbance.bottomRightCorner<3, 3>() += doubt * doubt * Eigen::Matrix3d::Identity();
+  return step;
+}
+
+Eigen::Matrix3d mode_transitions(double dt, const BallMotion& motion) {
+  Eigen::Matrix3d to = Eigen::Matrix3d::Zero();
+  const auto within = [dt](double per_second) {
+    return 1.0 - std::exp(-per_second * dt);
+  };
+  to(0, 1) = within(motion.kicks);
+  to(0, 2) = within(motion.high_kicks);
+  to(1, 0) = within(motion.kick_ends);
+  to(1, 2) = within(motion.kick_rises);
+  to(2, 0) = within(motion.landings);
+  to(2, 1) = within(0.2 * motion.landings);
+  for (int i = 0; i < 3; ++i) to(i, i) = std::max(0.0, 1.0 - to.row(i).sum());
+  // A long step: no more than all of it can go elsewhere.
+  for (int i = 0; i < 3; ++i) to.row(i) /= to.row(i).sum();
+  return to;
+}
+
+}  // namespace teamsight::fusion

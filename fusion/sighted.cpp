@@ -1,0 +1,264 @@
+// fusion/sighted.cpp: see fusion/sighted.hpp.
+#include "fusion/sighted.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fusion/assignment.hpp"
+#include "fusion/measurement.hpp"
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+// Track keys of balls and obstacles of one observation must differ.
+constexpr std::uint32_t kFirstObstacleIndex = 64;
+// Where along a ray that meets no carpet a ball may be; m.
+constexpr double kAnyRange = 5.0;
+
+bool is_on_carpet(const Eigen::Vector2d& p_F, const Setting& setting) {
+  const FieldModel& field = setting.field;
+  const double beyond = field.surround + setting.parameters.carpet_margin;
+  return std::abs(p_F.x() - field.centre.x) <= 0.5 * field.length + beyond &&
+         std::abs(p_F.y() - field.centre.y) <= 0.5 * field.width + beyond;
+}
+
+Candidate make_candidate(const PlanarMeasurement& measurement,
+                         const Eigen::Vector2d& p_FR,
+                         double radius) {
+  Candidate candidate;
+  const Eigen::Vector2d way = measurement.p_F - p_FR;
+  candidate.measurement = measurement;
+  candidate.radius = radius;
+  candidate.azimuth = std::atan2(way.y(), way.x());
+  candidate.distance = way.norm();
+  candidate.half_angle = std::atan2(radius, candidate.distance);
+  return candidate;
+}
+
+/// The posture as if it were certain, to see what else is uncertain.
+PostureEstimate certain(const PostureEstimate& posture) {
+  PostureEstimate exact = posture;
+  exact.cov.setZero();
+  return exact;
+}
+
+/// Somewhere along a ray that goes up, or meets the floor far outside.
+PlanarMeasurement anywhere_along(const BallRay& ray, const PostureEstimate& posture) {
+  const Eigen::Vector2d way = ray.ray_R.direction.head<2>().normalized() * kAnyRange;
+  PlanarMeasurement measurement;
+  measurement.p_F = (posture.X_FR * Point<Robot>::from(way)).vector();
+  measurement.cov_F = kAnyRange * kAnyRange * Eigen::Matrix2d::Identity();
+  return measurement;
+}
+
+CandidateList ball_candidates(const Observation& observation, const Setting& setting) {
+  CandidateList candidates;
+  const double radius = setting.parameters.ball_radius;
+  for (std::uint32_t index = 0; index < observation.balls.size(); ++index) {
+    const BallRay& ray = observation.balls[index];
+    if (ray.confidence < setting.parameters.ball.min_confidence || candidates.is_full()) continue;
+    if (ray.ray_R.direction.head<2>().norm() < 1e-9) continue;
+    const auto met = measure_ball(ray, observation.posture, radius);
+    const bool may_begin = met && is_on_carpet(met->p_F, setting);
+    Candidate candidate =
+        make_candidate(may_begin ? *met : anywhere_along(ray, observation.posture),
+                       observation.posture.X_FR.origin().vector(),
+                       radius);
+    candidate.may_begin = may_begin;
+    if (may_begin) {
+      candidate.cov_own = measure_ball(ray, certain(observation.posture), radius)->cov_F;
+    }
+    candidate.confidence = ray.confidence;
+    candidate.key = track_key(observation.id, index);
+    candidate.index = index;
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+CandidateList obstacle_candidates(const Observation& observation, const Setting& setting) {
+  CandidateList candidates;
+  for (std::uint32_t index = 0; index < observation.obstacles.size(); ++index) {
+    const ObstacleSighting& sighting = observation.obstacles[index];
+    if (sighting.confidence < setting.parameters.obstacle.min_confidence) continue;
+    if (candidates.is_full()) break;
+    const double radius = radius_of(sighting, setting.parameters.robot_radius);
+    const auto measurement = measure_obstacle(sighting, observation.posture, radius);
+    if (!is_on_carpet(measurement.p_F, setting)) continue;
+    Candidate candidate =
+        make_candidate(measurement, observation.posture.X_FR.origin().vector(), radius);
+    candidate.cov_own = measure_obstacle(sighting, certain(observation.posture), radius).cov_F;
+    candidate.confidence = sighting.confidence;
+    candidate.key = track_key(observation.id, kFirstObstacleIndex + index);
+    candidate.index = index;
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+/// A teammate's body, where the others should see it.
+struct Body {
+  RobotId robot{kNobody};
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};              ///< m
+  Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};          ///< of p_F; m^2
+  Eigen::Matrix2d cov_carried{Eigen::Matrix2d::Identity()};  ///< what the way since then added
+  bool is_turned{false};  ///< it says that it is at the mirror image
+};
+
+/// @return nothing if it is not known where it is
+std::optional<Body> body_of(const Teammate& teammate,
+                            RobotId observer,
+                            HostTime exposure,
+                            const State& state,
+                            const Parameters& parameters) {
+  const TeammateParameters& mates = parameters.teammate;
+  if (teammate.robot == observer || teammate.posture.time == kNever ||
+      exposure - teammate.seen > mates.forget_age ||
+      !is_resolved(teammate.status, teammate.half_log_odds, mates)) {
+    return std::nullopt;
+  }
+  const Quarantine verdict = state.trust.verdict(teammate.robot, exposure, parameters.trust);
+  if (verdict == Quarantine::kKidnapped) return std::nullopt;
+  const CarriedPosture carried = carried_to(teammate.posture, exposure, mates);
+  Body body;
+  body.robot = teammate.robot;
+  body.is_turned = verdict == Quarantine::kMirrored;
+  body.p_F = (body.is_turned ? mirrored(carried.X_FR) : carried.X_FR).origin().vector();
+  body.cov = carried.cov.topLeftCorner<2, 2>();
+  body.cov_carried = carried.cov_since.topLeftCorner<2, 2>();
+  return body;
+}
+
+/// The residual of a sighted teammate: where it was seen, minus where it says that it is.
+TeamErrors::Residual residual_of(const Candidate& seen,
+                                 const Body& body,
+                                 const Glance& glance,
+                                 const State& state,
+                                 const Parameters& parameters) {
+  TeamErrors::Residual residual;
+  const double aside = parameters.teammate.sigma_body;
+  residual.value = seen.measurement.p_F - body.p_F;
+  residual.observer = state.errors.place_of(glance.robot);
+  residual.slope_observer = place_slope(seen.measurement.p_F - glance.observer());
+  residual.watched = state.errors.place_of(body.robot);
+  residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();
+  residual.cov = (residual.observer == kNoPlace ? seen.measurement.cov_F : seen.cov_own) +
+                 (residual.watched == kNoPlace ? body.cov : body.cov_carried) +
+                 aside * aside * Eigen::Matrix2d::Identity();
+  return residual;
+}
+
+/// Cost of taking a sighted thing for a teammate's body.
+double body_cost(const TeamErrors::Residual& residual,
+                 const State& state,
+                 const Parameters& parameters) {
+  if (residual.value.norm() > kAnyRange) return kForbidden;
+  const TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
+  const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
+  const bool is_within = squared <= chi_square_gate(2, parameters.obstacle.gate_probability);
+  const bool is_touching = lesson.surprise.norm() < parameters.teammate.body_reach;
+  if (is_within || is_touching) return squared;
+  return kForbidden;
+}
+
+Glance glance_of(const Observation& observation) {
+  return {
+      observation.id.robot, observation.exposure, observation.sigma_exposure, observation.posture};
+}
+
+}  // namespace
+
+Sighted sighted_in(const Observation& observation, const Setting& setting) {
+  return {ball_candidates(observation, setting), obstacle_candidates(observation, setting)};
+}
+
+MateSightings find_teammates(const CandidateList& candidates,
+                             const State& state,
+                             const Observation& observation,
+                             const Parameters& parameters) {
+  CostMatrix cost(static_cast<Eigen::Index>(candidates.size()),
+                  static_cast<Eigen::Index>(state.teammates.size()));
+  cost.setConstant(kForbidden);
+  const Glance glance = glance_of(observation);
+  for (std::size_t column = 0; column < state.teammates.size(); ++column) {
+    const Teammate& teammate = state.teammates[column];
+    const auto body =
+        body_of(teammate, observation.id.robot, observation.exposure, state, parameters);
+    if (!body) continue;
+    for (std::size_t row = 0; row < candidates.size(); ++row) {
+      const auto residual = residual_of(candidates[row], *body, glance, state, parameters);
+      cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          body_cost(residual, state, parameters);
+    }
+  }
+  constexpr double kAlonePrice = 1e4;  // dearer than any pair within the gate
+  const Assignment assignment = assign(cost, kAlonePrice);
+  MateSightings mates;
+  mates.mate_of.fill(kUnassigned);
+  for (std::size_t row = 0; row < candidates.size(); ++row) mates.mate_of[row] = assignment[row];
+  return mates;
+}
+
+void learn_from_teammates(State& state,
+                          const CandidateList& candidates,
+                          const MateSightings& mates,
+                          const Glance& glance,
+                          const Parameters& parameters) {
+  for (std::size_t row = 0; row < candidates.size(); ++row) {
+    if (mates.mate_of[row] == kUnassigned) continue;
+    const Teammate& teammate = state.teammates[static_cast<std::size_t>(mates.mate_of[row])];
+    const auto body = body_of(teammate, glance.robot, glance.exposure, state, parameters);
+    if (!body || body->is_turned) continue;
+    TeamErrors::Residual residual = residual_of(candidates[row], *body, glance, state, parameters);
+    TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
+    const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
+    residual.cov *= tail_factor(squared, 2);
+    lesson = state.errors.lesson_of(residual);
+    for (BallTrack& ball : state.balls) {
+      for (BallBelief& belief : ball.beliefs) belief.state.learn(lesson);
+    }
+    for (Track& obstacle : state.obstacles) obstacle.state.learn(lesson);
+    state.errors.learn(lesson);
+  }
+}
+
+ClaimList claims_of_others(const State& state,
+                           RobotId robot,
+                           HostTime exposure,
+                           const Parameters& parameters) {
+  ClaimList claims;
+  const TrustParameters& trust = parameters.trust;
+  const auto others = [&](const TrackBook& book) {
+    const RobotMask supporters = robots_within(book.supported, exposure, trust.fresh);
+    return static_cast<RobotMask>(supporters & ~robot_bit(robot));
+  };
+  for (const Teammate& teammate : state.teammates) {
+    if (claims.is_full() || teammate.robot == robot || teammate.posture.time == kNever) continue;
+    if (exposure - teammate.seen > trust.fresh ||
+        !is_resolved(teammate.status, teammate.half_log_odds, parameters.teammate)) {
+      continue;
+    }
+    const auto carried = carried_to(teammate.posture, exposure, parameters.teammate);
+    claims.push_back({carried.X_FR.origin().vector(),
+                      carried.cov.topLeftCorner<2, 2>(),
+                      robot_bit(teammate.robot),
+                      false});
+  }
+  for (const BallTrack& track : state.balls) {
+    const RobotMask claimants = others(track.book);
+    if (claims.is_full() || !track.book.is_confirmed || claimants == 0) continue;
+    const BallMoments moments = moments_at(track, exposure, parameters.ball_motion);
+    claims.push_back({moments.mean.head<2>(), moments.cov.topLeftCorner<2, 2>(), claimants, true});
+  }
+  for (const Track& track : state.obstacles) {
+    const RobotMask claimants = others(track.book);
+    if (claims.is_full() || !track.book.is_confirmed || claimants == 0) continue;
+    const PlanarMoments moments = moments_at(track, exposure, parameters.obstacle);
+    claims.push_back({moments.mean.head<2>(), moments.cov.topLeftCorner<2, 2>(), claimants, false});
+  }
+  return claims;
+}
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,45 @@
+// fusion/sighted.hpp: what one frame shows, in F: the candidates for tracks and teammates.
+#pragma once
+
+#include "fusion/observation.hpp"
+#include "fusion/state.hpp"
+#include "fusion/track_book.hpp"
+#include "fusion/witness.hpp"
+
+namespace teamsight::fusion {
+
+/// Everything one frame shows.
+struct Sighted {
+  CandidateList balls;
+  CandidateList obstacles;
+};
+
+/// Rays that do not meet the carpet may be a flying ball's, and begin no track.
+[[nodiscard]] Sighted sighted_in(const Observation& observation, const Setting& setting);
+
+/// Which candidate is which teammate, by index; kUnassigned where it is none.
+struct MateSightings {
+  std::array<int, kMaxCandidates> mate_of{};
+};
+
+/// Gives sighted things to teammates at the least total cost: within the gate, or so near to a
+/// teammate that nothing else can stand there.
+[[nodiscard]] MateSightings find_teammates(const CandidateList& candidates,
+                                           const State& state,
+                                           const Observation& observation,
+                                           const Parameters& parameters);
+
+/// Learns of both robots' errors from each sighting of a teammate.
+void learn_from_teammates(State& state,
+                          const CandidateList& candidates,
+                          const MateSightings& mates,
+                          const Glance& glance,
+                          const Parameters& parameters);
+
+/// What other robots than this one say is there.
+[[nodiscard]] ClaimList claims_of_others(const State& state,
+                                         RobotId robot,
+                                         HostTime exposure,
+                                         const Parameters& parameters);
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,159 @@
+// fusion/team_errors.cpp: see fusion/team_errors.hpp.
+#include "fusion/team_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace teamsight::fusion {
+namespace {
+
+/// The smallest generalised eigenvalue of (after, before): below 1 where the covariance shrank.
+double least_growth(const Eigen::Matrix3d& before, const Eigen::Matrix3d& after) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(before);
+  const Eigen::Matrix3d half = factor.matrixL().solve(after);
+  const Eigen::Matrix3d whitened = factor.matrixL().solve(half.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(whitened, Eigen::EigenvaluesOnly);
+  return std::max(0.0, axes.eigenvalues().minCoeff());
+}
+
+/// The nearest matrix that is no less than zero.
+Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(0.5 * (matrix + matrix.transpose()));
+  return axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         axes.eigenvectors().transpose();
+}
+
+/// How a posture's error is carried along by wheels: a wrong heading leads aside.
+Eigen::Matrix3d dead_reckoning(const Pose<Field, Robot>& from, const Pose<Field, Robot>& to) {
+  Eigen::Matrix3d keep = Eigen::Matrix3d::Identity();
+  keep(0, 2) = -(to.y() - from.y());
+  keep(1, 2) = to.x() - from.x();
+  return keep;
+}
+
+}  // namespace
+
+ErrorPlace TeamErrors::place_of(RobotId robot) const {
+  for (int place = 0; place < robots_; ++place) {
+    if (known_[static_cast<std::size_t>(place)].robot == robot) return place;
+  }
+  return kNoPlace;
+}
+
+ErrorPlace TeamErrors::make_place(RobotId robot, HostTime exposure) {
+  if (robots_ < kMaxErrorRobots) return robots_++;
+  const auto oldest = std::min_element(
+      known_.begin(), known_.end(), [](auto& a, auto& b) { return a.seen < b.seen; });
+  if (exposure - oldest->seen <= parameters_.forget_age) return kNoPlace;
+  oldest->robot = robot;
+  return static_cast<ErrorPlace>(oldest - known_.begin());
+}
+
+void TeamErrors::restart(ErrorPlace place, const Eigen::Matrix3d& cov_posture) {
+  const int at = kErrorSize * place;
+  mean_.segment<kErrorSize>(at).setZero();
+  cov_.middleRows<kErrorSize>(at).setZero();
+  cov_.middleCols<kErrorSize>(at).setZero();
+  cov_.block<3, 3>(at, at) = cov_posture;
+  cov_(at + 3, at + 3) = parameters_.sigma_scale * parameters_.sigma_scale;
+}
+
+ErrorMatrix TeamErrors::carry(ErrorPlace place, const PostureEstimate& posture, double dt) {
+  const int at = kErrorSize * place;
+  const PostureEstimate& said = known_[static_cast<std::size_t>(place)].said;
+  const double growth = least_growth(said.cov, posture.cov);
+  ErrorMatrix keep = ErrorMatrix::Zero();
+  if (growth > 1.0 + 1e-9) {
+    keep.topLeftCorner<3, 3>() = dead_reckoning(said.X_FR, posture.X_FR);
+  } else {
+    const double share =
+        std::exp(-dt / to_seconds(parameters_.posture_memory)) * std::sqrt(std::min(1.0, growth));
+    keep.topLeftCorner<3, 3>() = share * Eigen::Matrix3d::Identity();
+  }
+  keep(3, 3) = std::exp(-dt / to_seconds(parameters_.scale_memory));
+  const auto keep_posture = keep.topLeftCorner<3, 3>();
+  const Eigen::Matrix3d news =
+      positive_part(posture.cov - keep_posture * said.cov * keep_posture.transpose());
+  mean_.segment<kErrorSize>(at) = (keep * mean_.segment<kErrorSize>(at)).eval();
+  cov_.middleRows<kErrorSize>(at) = (keep * cov_.middleRows<kErrorSize>(at)).eval();
+  cov_.middleCols<kErrorSize>(at) = (cov_.middleCols<kErrorSize>(at) * keep.transpose()).eval();
+  cov_.block<3, 3>(at, at) += news;
+  cov_(at + 3, at + 3) +=
+      (1.0 - keep(3, 3) * keep(3, 3)) * parameters_.sigma_scale * parameters_.sigma_scale;
+  return keep;
+}
+
+ErrorMatrix TeamErrors::report(RobotId robot,
+                               const PostureEstimate& posture,
+                               HostTime exposure,
+                               bool is_new) {
+  ErrorPlace place = place_of(robot);
+  const bool is_unknown = place == kNoPlace;
+  if (is_unknown) place = make_place(robot, exposure);
+  ErrorMatrix keep = ErrorMatrix::Zero();
+  if (place == kNoPlace) return keep;
+  Known& known = known_[static_cast<std::size_t>(place)];
+  if (is_unknown || is_new) {
+    restart(place, posture.cov);
+  } else {
+    keep = carry(place, posture, std::max(0.0, to_seconds(exposure - known.seen)));
+  }
+  known = {robot, std::max(known.seen, exposure), posture};
+  return keep;
+}
+
+ErrorVector TeamErrors::mean(ErrorPlace place) const {
+  return mean_.segment<kErrorSize>(kErrorSize * place);
+}
+
+ErrorMatrix TeamErrors::cov(ErrorPlace place) const {
+  return cov_.block<kErrorSize, kErrorSize>(kErrorSize * place, kErrorSize * place);
+}
+
+Eigen::Matrix<double, kErrorSize, kAllErrors> TeamErrors::cov_with_all(ErrorPlace place) const {
+  return cov_.middleRows<kErrorSize>(kErrorSize * place);
+}
+
+TeamErrors::Lesson TeamErrors::lesson_of(const Residual& residual) const {
+  Lesson lesson;
+  lesson.slope.setZero();
+  lesson.surprise = residual.value;
+  const auto add = [&](ErrorPlace place, const Eigen::Matrix<double, 2, kErrorSize>& slope) {
+    if (place == kNoPlace) return;
+    lesson.slope.middleCols<kErrorSize>(kErrorSize * place) += slope;
+    lesson.surprise -= slope * mean(place);
+  };
+  add(residual.observer, residual.slope_observer);
+  add(residual.watched, residual.slope_watched);
+  const int n = active();
+  lesson.cov_slope.setZero();
+  lesson.cov_slope.topRows(n).noalias() =
+      cov_.topLeftCorner(n, n) * lesson.slope.leftCols(n).transpose();
+  lesson.inverse = (lesson.slope * lesson.cov_slope + residual.cov).inverse();
+  return lesson;
+}
+
+void TeamErrors::learn(const Lesson& lesson) {
+  const int n = active();
+  const Eigen::Matrix<double, kAllErrors, 2> gain = lesson.cov_slope * lesson.inverse;
+  mean_ += gain * lesson.surprise;
+  cov_.topLeftCorner(n, n).noalias() -= gain.topRows(n) * lesson.cov_slope.topRows(n).transpose();
+}
+
+Eigen::Matrix<double, 2, kErrorSize> place_slope(const Eigen::Vector2d& way_F) {
+  return (Eigen::Matrix<double, 2, kErrorSize>() << 1.0,
+          0.0,
+          -way_F.y(),
+          way_F.x(),
+          0.0,
+          1.0,
+          way_F.x(),
+          way_F.y())
+      .finished();
+}
+
+}  // namespace teamsight::fusion

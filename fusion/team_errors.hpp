@@ -1,0 +1,104 @@
+// fusion/team_errors.hpp: how wrong each robot's posture and calibration are, estimated jointly.
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "fusion/parameters.hpp"
+#include "geometry/identity.hpp"
+#include "geometry/sighting.hpp"
+#include "geometry/time.hpp"
+
+namespace teamsight::fusion {
+
+/// Of one robot: (x, y, theta) of its reported posture minus the truth, in F, and the share by
+/// which it sees things too far away.
+inline constexpr int kErrorSize = 4;
+/// Robots whose errors are remembered; those beyond are taken to err anew in each frame.
+inline constexpr int kMaxErrorRobots = 8;
+inline constexpr int kAllErrors = kErrorSize * kMaxErrorRobots;
+
+using ErrorVector = Eigen::Matrix<double, kErrorSize, 1>;
+using ErrorMatrix = Eigen::Matrix<double, kErrorSize, kErrorSize>;
+using AllErrors = Eigen::Matrix<double, kAllErrors, 1>;
+using AllErrorsMatrix = Eigen::Matrix<double, kAllErrors, kAllErrors>;
+
+/// Place of a robot in the joint state; kNoPlace: not remembered.
+using ErrorPlace = int;
+inline constexpr ErrorPlace kNoPlace = -1;
+
+/// The errors of all robots as one Gaussian. While the covariance that a robot says grows, it only
+/// counts its wheels: the error is carried along. Else its error fades over `posture_memory`, and
+/// as much as the said covariance shrinks, and is renewed so that its covariance is what the robot
+/// says. Sightings of each other tell of them; how they correlate with tracks is kept in the
+/// tracks [Schmidt66].
+class TeamErrors {
+ public:
+  explicit TeamErrors(const TeammateParameters& parameters = {}) : parameters_(parameters) {}
+
+  /// Takes a robot's next posture and its covariance into account.
+  ///
+  /// @param is_new  the posture jumped, or another process speaks: what was known of it is void
+  /// @return what became of its errors: e' = result * e + news. Whoever is correlated with them
+  ///         follows (Considered::follow)
+  ErrorMatrix report(RobotId robot, const PostureEstimate& posture, HostTime exposure, bool is_new);
+
+  /// @return kNoPlace for a robot that is not remembered
+  [[nodiscard]] ErrorPlace place_of(RobotId robot) const;
+
+  /// How many entries of the joint state are in use; they come first.
+  [[nodiscard]] int active() const { return kErrorSize * robots_; }
+
+  [[nodiscard]] ErrorVector mean(ErrorPlace place) const;
+  [[nodiscard]] ErrorMatrix cov(ErrorPlace place) const;
+
+  /// Covariance of one robot's errors with everybody's.
+  [[nodiscard]] Eigen::Matrix<double, kErrorSize, kAllErrors> cov_with_all(ErrorPlace place) const;
+
+  /// A residual of two coordinates, linear in the errors of two robots, with covariance.
+  struct Residual {
+    Eigen::Vector2d value{Eigen::Vector2d::Zero()};    ///< measured minus expected
+    Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};  ///< its own noise
+    ErrorPlace observer{kNoPlace};
+    Eigen::Matrix<double, 2, kErrorSize> slope_observer;
+    ErrorPlace watched{kNoPlace};
+    Eigen::Matrix<double, 2, kErrorSize> slope_watched;
+  };
+
+  /// What a residual says: multiply it by a covariance with the errors to learn of that.
+  struct Lesson {
+    Eigen::Matrix<double, kAllErrors, 2> cov_slope;  ///< covariance of all errors with the residual
+    Eigen::Matrix<double, 2, kAllErrors> slope;
+    Eigen::Matrix2d inverse;   ///< of the residual's covariance
+    Eigen::Vector2d surprise;  ///< the residual beyond what the estimated errors explain
+  };
+
+  [[nodiscard]] Lesson lesson_of(const Residual& residual) const;
+
+  void learn(const Lesson& lesson);
+
+ private:
+  struct Known {
+    RobotId robot{kNobody};
+    HostTime seen{};
+    PostureEstimate said;
+  };
+
+  [[nodiscard]] ErrorPlace make_place(RobotId robot, HostTime exposure);
+  void restart(ErrorPlace place, const Eigen::Matrix3d& cov_posture);
+  ErrorMatrix carry(ErrorPlace place, const PostureEstimate& posture, double dt);
+
+  TeammateParameters parameters_;
+  std::array<Known, kMaxErrorRobots> known_{};
+  int robots_{0};
+  AllErrors mean_{AllErrors::Zero()};
+  AllErrorsMatrix cov_{AllErrorsMatrix::Zero()};
+};
+
+/// d(place in F of something seen from there)/d(errors of the observer).
+///
+/// @param way_F  from the observer to the thing; m
+[[nodiscard]] Eigen::Matrix<double, 2, kErrorSize> place_slope(const Eigen::Vector2d& way_F);
+
+}  // namespace teamsight::fusion

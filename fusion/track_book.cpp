@@ -1,0 +1,117 @@
+// fusion/track_book.cpp: see fusion/track_book.hpp.
+#include "fusion/track_book.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/angle.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+std::size_t index_of(RobotId robot) {
+  return static_cast<std::size_t>(robot) - 1U;
+}
+
+/// Log-odds that a candidate of this confidence adds.
+double evidence(double confidence) {
+  constexpr double kDoubt = 0.05;  // no single frame is believed beyond this
+  return std::log((confidence + kDoubt) / (1.0 - confidence + kDoubt));
+}
+
+}  // namespace
+
+RobotMask robots_within(const RobotTimes& times, HostTime now, Duration window) {
+  unsigned mask = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] != kNever && now - times[i] <= window) mask |= 1U << i;
+  }
+  return static_cast<RobotMask>(mask);
+}
+
+double log_odds_of(const TrackBook& book) {
+  return std::accumulate(book.votes.begin(), book.votes.end(), 0.0);
+}
+
+void turn_page(TrackBook& book, HostTime exposure, const TrackParameters& parameters) {
+  const double dt = to_seconds(exposure - book.time);
+  if (dt <= 0.0) return;
+  book.time = exposure;
+  const double keep = std::exp(-dt / to_seconds(parameters.vote_memory));
+  for (double& vote : book.votes) vote *= keep;
+}
+
+void write_miss(TrackBook& book,
+                RobotId robot,
+                double probability,
+                const TrackParameters& parameters) {
+  double& vote = book.votes[index_of(robot)];
+  vote = std::max(vote + std::log1p(-probability), -parameters.most_vote);
+}
+
+double existence_at(const TrackBook& book, HostTime now, const TrackParameters& parameters) {
+  const double unseen = std::max(0.0, to_seconds(now - book.last_hit));
+  // Things leave: half of those that nobody sees are gone after half the time to forget them.
+  const double half_life = 0.5 * to_seconds(parameters.death_age);
+  return std::exp2(-unseen / half_life) / (1.0 + std::exp(-log_odds_of(book)));
+}
+
+TrackBook first_page(std::uint32_t key, const Vote& vote, const TrackParameters& parameters) {
+  TrackBook book;
+  book.key = key;
+  book.time = book.born = book.last_hit = vote.exposure;
+  book.supported[index_of(vote.robot)] = vote.exposure;
+  book.votes[index_of(vote.robot)] = evidence(vote.confidence);
+  book.hits = 1;
+  book.is_confirmed = parameters.birth_hits <= 1;
+  return book;
+}
+
+void write_hit(TrackBook& book, const Vote& vote, double nis, const TrackParameters& parameters) {
+  book.nis_sum += nis;
+  book.last_hit = std::max(book.last_hit, vote.exposure);
+  book.supported[index_of(vote.robot)] = vote.exposure;
+  double& said = book.votes[index_of(vote.robot)];
+  said = std::min(said + evidence(vote.confidence), parameters.most_vote);
+  ++book.hits;
+  const bool is_quick = vote.exposure - book.born <= parameters.birth_window;
+  if (is_quick && book.hits >= static_cast<std::uint32_t>(parameters.birth_hits)) {
+    book.is_confirmed = true;
+  }
+}
+
+bool is_over(const TrackBook& book, HostTime exposure, const TrackParameters& parameters) {
+  const bool is_late = exposure - book.born > parameters.birth_window;
+  return log_odds_of(book) < parameters.death_log_odds ||
+         exposure - book.last_hit > parameters.death_age || (!book.is_confirmed && is_late);
+}
+
+std::uint32_t track_key(const ObservationId& id, std::uint32_t index) {
+  // FNV-1a over the numbers' bytes: short, and the same on every machine.
+  std::uint32_t hash = 2166136261U;
+  for (std::uint32_t number : {std::uint32_t{id.robot}, id.boot, id.sequence, index}) {
+    for (int i = 0; i < 4; ++i) {
+      hash = (hash ^ (number & 0xFFU)) * 16777619U;
+      number >>= 8U;
+    }
+  }
+  return hash == 0 ? 1 : hash;
+}
+
+double detection_probability(const Eigen::Vector2d& p_F,
+                             const Eigen::Vector2d& observer_F,
+                             const CandidateList& hiding,
+                             const TrackParameters& parameters) {
+  const Eigen::Vector2d way = p_F - observer_F;
+  const double distance = way.norm();
+  if (distance >= parameters.detection_range) return 0.0;
+  const double azimuth = std::atan2(way.y(), way.x());
+  for (const Candidate& candidate : hiding) {
+    const double aside = std::abs(angle_difference(azimuth, candidate.azimuth));
+    if (candidate.distance < distance && aside < candidate.half_angle) return 0.0;
+  }
+  return parameters.detection_probability * (1.0 - distance / parameters.detection_range);
+}
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,243 @@
+// fusion/trust.cpp: see fusion/trust.hpp.
+#include "fusion/trust.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace teamsight::fusion {
+namespace {
+
+constexpr Duration kActive = std::chrono::seconds(2);  // silent for longer: has no vote
+constexpr std::size_t kMostJudged = 10;                // explanations are tried one by one
+constexpr double kSmoothing = 0.2;                     // of the offset, per look
+
+std::size_t index_of(RobotId robot) {
+  return static_cast<std::size_t>(robot) - 1U;
+}
+
+/// Log-odds of "both or neither" from the log-odds of two independent claims.
+double both_or_neither(double a, double b) {
+  return 2.0 * std::atanh(std::tanh(0.5 * a) * std::tanh(0.5 * b) * (1.0 - 1e-12));
+}
+
+double own_weight(double own_half, const TrustParameters& parameters) {
+  return std::clamp(own_half, 0.5, parameters.most_own);
+}
+
+}  // namespace
+
+bool TrustBook::is_due(RobotId robot, HostTime exposure, const TrustParameters& parameters) const {
+  return exposure - pages_[index_of(robot)].looked >= parameters.period;
+}
+
+void TrustBook::note(RobotId robot, HostTime exposure, double own_half, double offset) {
+  TrustPage& page = pages_[index_of(robot)];
+  page.seen = std::max(page.seen, exposure);
+  page.own_half = own_half;
+  page.bias += kSmoothing * (std::min(offset, 200.0) - page.bias);
+}
+
+void TrustBook::begin_look(RobotId robot, HostTime exposure, const TrustParameters& parameters) {
+  TrustPage& page = pages_[index_of(robot)];
+  if (page.looked != kNever) {
+    // Each pair fades twice, once for each of its robots.
+    const double dt = to_seconds(exposure - page.looked);
+    const double keep = std::exp(-0.5 * dt / to_seconds(parameters.memory));
+    fade(agreement_, robot, keep);
+    fade(same_half_, robot, keep);
+  }
+  page.looked = exposure;
+}
+
+void TrustBook::fade(Pairs& pairs, RobotId robot, double keep) {
+  for (std::size_t other = 0; other < kMaxRobotId; ++other) {
+    pairs[index_of(robot)][other] *= keep;
+    pairs[other][index_of(robot)] *= keep;
+  }
+}
+
+void TrustBook::add(RobotId robot,
+                    const PairEvidence& evidence,
+                    const TrustParameters& parameters) {
+  const std::size_t a = index_of(robot);
+  const std::size_t b = index_of(evidence.other);
+  const double most = parameters.most_evidence;
+  const auto put = [&](Pairs& pairs, double value) {
+    pairs[a][b] = pairs[b][a] = std::clamp(pairs[a][b] + value, -most, most);
+  };
+  put(agreement_, evidence.agreement);
+  put(same_half_, evidence.same_half);
+}
+
+void TrustBook::turn_over(RobotId robot) {
+  for (std::size_t other = 0; other < kMaxRobotId; ++other) {
+    same_half_[index_of(robot)][other] *= -1.0;
+    same_half_[other][index_of(robot)] *= -1.0;
+    agreement_[index_of(robot)][other] = agreement_[other][index_of(robot)] = 0.0;
+  }
+  pages_[index_of(robot)].bias = 0.0;
+  pages_[index_of(robot)].verdict = Quarantine::kNone;
+}
+
+void TrustBook::forget(RobotId robot) {
+  for (std::size_t other = 0; other < kMaxRobotId; ++other) {
+    for (Pairs* pairs : {&agreement_, &same_half_}) {
+      (*pairs)[index_of(robot)][other] = (*pairs)[other][index_of(robot)] = 0.0;
+    }
+  }
+  pages_[index_of(robot)].bias = 0.0;
+  pages_[index_of(robot)].verdict = Quarantine::kNone;
+}
+
+void TrustBook::hold(RobotId robot, HostTime exposure) {
+  convict(index_of(robot), Quarantine::kKidnapped, exposure);
+}
+
+void TrustBook::convict(std::size_t index, Quarantine verdict, HostTime exposure) {
+  pages_[index].verdict = verdict;
+  pages_[index].held = exposure;
+}
+
+TrustBook::Active TrustBook::active_at(HostTime exposure) const {
+  Active active;
+  for (std::size_t i = 0; i < pages_.size() && active.count < kMostJudged; ++i) {
+    if (pages_[i].seen == kNever || exposure - pages_[i].seen > kActive) continue;
+    active.index[active.count++] = i;
+  }
+  return active;
+}
+
+double TrustBook::gain_of(const Active& active,
+                          unsigned turned,
+                          const TrustParameters& parameters) const {
+  double gain = 0.0;
+  for (std::size_t i = 0; i < active.count; ++i) {
+    if ((turned >> i & 1U) == 0) continue;
+    gain -= own_weight(pages_[active.index[i]].own_half, parameters);
+    for (std::size_t j = 0; j < active.count; ++j) {
+      if ((turned >> j & 1U) == 0) gain -= same_half_[active.index[i]][active.index[j]];
+    }
+  }
+  return gain;
+}
+
+void TrustBook::judge_halves(const Active& active,
+                             HostTime exposure,
+                             const TrustParameters& parameters) {
+  double best = 0.0;
+  double second = 0.0;
+  unsigned turned = 0;
+  for (unsigned set = 1; set < 1U << active.count; ++set) {
+    const double gain = gain_of(active, set, parameters);
+    if (gain > best) {
+      second = best;
+      best = gain;
+      turned = set;
+    } else {
+      second = std::max(second, gain);
+    }
+  }
+  if (best < parameters.mirror_gain || best - second < parameters.mirror_margin) return;
+  for (std::size_t i = 0; i < active.count; ++i) {
+    if ((turned >> i & 1U) != 0) convict(active.index[i], Quarantine::kMirrored, exposure);
+  }
+}
+
+/// How many more contradict a robot than agree with it; 0 unless at least two contradict.
+int TrustBook::contradictions(std::size_t index,
+                              const Active& active,
+                              const std::array<bool, kMaxRobotId>& is_out,
+                              const TrustParameters& parameters) const {
+  int against = 0;
+  int with = 0;
+  for (std::size_t j = 0; j < active.count; ++j) {
+    const std::size_t other = active.index[j];
+    if (is_out[other] || other == index) continue;
+    if (agreement_[index][other] < -parameters.contradiction) ++against;
+    if (agreement_[index][other] > parameters.agreement) ++with;
+  }
+  return against < 2 ? 0 : against - with;
+}
+
+/// Takes away whom most contradict, one after the other.
+void TrustBook::judge_places(const Active& active,
+                             HostTime exposure,
+                             const TrustParameters& parameters) {
+  std::array<bool, kMaxRobotId> is_out{};
+  for (std::size_t i = 0; i < active.count; ++i) {
+    const TrustPage& page = pages_[active.index[i]];
+    is_out[active.index[i]] = page.verdict == Quarantine::kMirrored && page.held == exposure;
+  }
+  for (std::size_t round = 0; round < active.count; ++round) {
+    std::size_t worst = kMaxRobotId;
+    int most = 0;
+    for (std::size_t i = 0; i < active.count; ++i) {
+      const std::size_t index = active.index[i];
+      const int balance = is_out[index] ? 0 : contradictions(index, active, is_out, parameters);
+      if (balance <= most) continue;
+      worst = index;
+      most = balance;
+    }
+    if (worst == kMaxRobotId) return;
+    is_out[worst] = true;
+    convict(worst, Quarantine::kKidnapped, exposure);
+  }
+}
+
+void TrustBook::judge_biases(const Active& active,
+                             HostTime exposure,
+                             const TrustParameters& parameters) {
+  if (active.count < 3) return;
+  for (std::size_t i = 0; i < active.count; ++i) {
+    const double bias = pages_[active.index[i]].bias;
+    if (bias < parameters.biased) continue;
+    std::array<double, kMaxRobotId> others{};
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < active.count; ++j) {
+      if (j != i) others[count++] = pages_[active.index[j]].bias;
+    }
+    const auto middle = others.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(others.begin(), middle, others.begin() + static_cast<std::ptrdiff_t>(count));
+    if (bias > parameters.biased_ratio * std::max(1.0, *middle)) {
+      convict(active.index[i], Quarantine::kBiased, exposure);
+    }
+  }
+}
+
+void TrustBook::judge(HostTime exposure, const TrustParameters& parameters) {
+  const Active active = active_at(exposure);
+  judge_biases(active, exposure, parameters);
+  judge_halves(active, exposure, parameters);
+  judge_places(active, exposure, parameters);
+}
+
+Quarantine TrustBook::verdict(RobotId robot,
+                              HostTime now,
+                              const TrustParameters& parameters) const {
+  const TrustPage& page = pages_[index_of(robot)];
+  return now - page.held <= parameters.hold ? page.verdict : Quarantine::kNone;
+}
+
+double TrustBook::half_log_odds(RobotId robot, const TrustParameters& parameters) const {
+  double sum = 0.0;
+  for (std::size_t other = 0; other < kMaxRobotId; ++other) {
+    const TrustPage& page = pages_[other];
+    if (other == index_of(robot) || page.seen == kNever) continue;
+    // Who is found in the wrong half speaks for the other.
+    const bool is_turned =
+        page.verdict == Quarantine::kMirrored && page.looked - page.held <= parameters.hold;
+    const double own = own_weight(page.own_half, parameters);
+    sum += both_or_neither(same_half_[index_of(robot)][other], is_turned ? -own : own);
+  }
+  return std::clamp(sum, -parameters.most_evidence, parameters.most_evidence);
+}
+
+double TrustBook::trust(RobotId robot, HostTime now, const TrustParameters& parameters) const {
+  if (verdict(robot, now, parameters) != Quarantine::kNone) return 0.0;
+  const TrustPage& page = pages_[index_of(robot)];
+  // What speaks against it, though not enough for a verdict.
+  const double doubt = std::clamp(page.bias / parameters.biased, 0.0, 1.0);
+  return 1.0 - 0.5 * doubt;
+}
+
+}  // namespace teamsight::fusion

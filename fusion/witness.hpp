@@ -1,0 +1,45 @@
+// fusion/witness.hpp: whether what one frame shows fits what the other robots say is there.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fusion/parameters.hpp"
+#include "fusion/track_book.hpp"
+#include "fusion/trust.hpp"
+
+namespace teamsight::fusion {
+
+/// Something that other robots say is there.
+struct Claim {
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};      ///< m
+  Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};  ///< m^2
+  RobotMask claimants{0};                            ///< who says so
+  bool is_ball{false};
+};
+
+inline constexpr std::size_t kMaxClaims = 48;
+using ClaimList = InlineList<Claim, kMaxClaims>;
+
+/// One frame's sightings, in F as its robot says.
+struct Testimony {
+  RobotId robot{kNobody};
+  Eigen::Vector2d observer_F{Eigen::Vector2d::Zero()};
+  const CandidateList& balls;
+  const CandidateList& obstacles;
+};
+
+using EvidenceList = InlineList<PairEvidence, kMaxRobotId>;
+
+/// For each claim that the robot should see from where it says, log-odds that it is there rather
+/// than anywhere else; the same with everything turned to the mirror image. Shared out between
+/// the claimants.
+///
+/// @param centre_F  about which the field is symmetric
+[[nodiscard]] EvidenceList weigh(const Testimony& testimony,
+                                 const ClaimList& claims,
+                                 const Eigen::Vector2d& centre_F,
+                                 const Parameters& parameters);
+
+}  // namespace teamsight::fusion

@@ -1,0 +1,68 @@
+// tests/fusion/ball_motion_test.cpp: how a ball rolls, flies and bounces.
+#include "fusion/ball_motion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace teamsight::fusion {
+namespace {
+
+constexpr double kStep = 0.01;  // s
+const BallMotion kMotion;
+
+BallVector moving(double height, double forward, double up) {
+  BallVector ball;
+  ball << 0.0, 0.0, height, forward, 0.0, up;
+  return ball;
+}
+
+TEST(RollingBall, StopsWhereFrictionHasUsedItsEnergy) {
+  BallVector ball = moving(kMotion.radius, 3.0, 0.0);
+
+  for (int i = 0; i < 1000; ++i) ball = step_rolling(ball, kStep, 0.0, kMotion).mean;
+
+  EXPECT_NEAR(ball.x(), 3.0 * 3.0 / (2.0 * kMotion.friction), 0.02);
+  EXPECT_EQ(ball(3), 0.0);
+  EXPECT_EQ(ball.z(), kMotion.radius);
+}
+
+TEST(RollingBall, ThatLiesDoesNotBeginToMove) {
+  const BallVector ball = step_rolling(moving(kMotion.radius, 0.0, 0.0), kStep, 0.0, kMotion).mean;
+
+  EXPECT_EQ(ball, moving(kMotion.radius, 0.0, 0.0));
+}
+
+TEST(FlyingBall, FollowsAParabola) {
+  BallMotion vacuum = kMotion;
+  vacuum.drag = 0.0;
+  BallVector ball = moving(1.0, 2.0, 4.0);
+
+  for (int i = 0; i < 40; ++i) ball = step_flying(ball, kStep, vacuum).mean;
+
+  EXPECT_NEAR(ball.x(), 2.0 * 0.4, 1e-9);
+  EXPECT_NEAR(ball.z(), 1.0 + 4.0 * 0.4 - 0.5 * vacuum.gravity * 0.4 * 0.4, 1e-9);
+  EXPECT_NEAR(ball(5), 4.0 - vacuum.gravity * 0.4, 1e-9);
+}
+
+TEST(FlyingBall, BouncesOffTheFloorSlowerAndLessSurely) {
+  const BallVector down = moving(kMotion.radius + 0.01, 2.0, -3.0);
+
+  const BallStep bounce = step_flying(down, kStep, kMotion);
+  const BallStep free = step_flying(moving(2.0, 2.0, -3.0), kStep, kMotion);
+
+  EXPECT_GT(bounce.mean.z(), kMotion.radius);
+  EXPECT_NEAR(bounce.mean(5), kMotion.climb_kept * 3.1, 0.05);
+  EXPECT_NEAR(bounce.mean(3), kMotion.speed_kept * 2.0, 0.01);
+  EXPECT_GT(bounce.disturbance(5, 5), free.disturbance(5, 5));
+}
+
+TEST(BallModes, GoSomewhereWithCertaintyHoweverLongTheStep) {
+  for (const double dt : {1e-3, 0.04, 10.0}) {
+    const Eigen::Matrix3d to = mode_transitions(dt, kMotion);
+
+    EXPECT_GE(to.minCoeff(), 0.0) << dt;
+    EXPECT_LT((to.rowwise().sum() - Eigen::Vector3d::Ones()).norm(), 1e-12) << dt;
+  }
+}
+
+}  // namespace
+}  // namespace teamsight::fusion

@@ -1,0 +1,135 @@
+// tests/fusion/trust_test.cpp: who is believed when robots contradict each other.
+#include "fusion/trust.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/fusion/scenario.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+using test::at_second;
+
+constexpr int kTeam = 5;
+constexpr double kSure = 6.0;  // own log-odds of a robot that knows its half
+const TrustParameters kParameters;
+
+/// A team of which some stand in the wrong half; each pair shares a sighting in every look.
+class Team {
+ public:
+  explicit Team(std::vector<RobotId> turned) : turned_(std::move(turned)) {}
+
+  /// One look at everybody. A turned robot is as sure of itself as `liars_odds`.
+  void look(double t, double liars_odds = kSure) {
+    for (RobotId robot = 1; robot <= kTeam; ++robot) {
+      book.begin_look(robot, at_second(t), kParameters);
+      book.note(robot, at_second(t), is_turned(robot) ? liars_odds : kSure, 1.0);
+      for (RobotId other = 1; other <= kTeam; ++other) {
+        if (other == robot) continue;
+        const double sign = is_turned(robot) == is_turned(other) ? 1.0 : -1.0;
+        book.add(robot, {other, sign, sign}, kParameters);
+      }
+      book.judge(at_second(t), kParameters);
+    }
+  }
+
+  void set_right() { turned_.clear(); }
+
+  void expect_mirrored(const std::vector<RobotId>& robots, double t) const {
+    for (RobotId robot = 1; robot <= kTeam; ++robot) {
+      const bool is_named = std::find(robots.begin(), robots.end(), robot) != robots.end();
+      EXPECT_EQ(book.verdict(robot, at_second(t), kParameters),
+                is_named ? Quarantine::kMirrored : Quarantine::kNone)
+          << "robot " << int{robot};
+    }
+  }
+
+  TrustBook book;
+
+ private:
+  [[nodiscard]] bool is_turned(RobotId robot) const {
+    return std::find(turned_.begin(), turned_.end(), robot) != turned_.end();
+  }
+
+  std::vector<RobotId> turned_;
+};
+
+TEST(Trust, NamesTheOneInTheWrongHalfHoweverConvincedItIs) {
+  Team team({3});
+
+  for (int i = 0; i < 10; ++i) team.look(0.2 * i, 1000.0);
+
+  team.expect_mirrored({3}, 1.8);
+  EXPECT_LT(team.book.half_log_odds(3, kParameters), -kParameters.most_own);
+  EXPECT_GT(team.book.half_log_odds(1, kParameters), kParameters.most_own);
+}
+
+TEST(Trust, IsNotTurnedOverByTwoOfFiveThatAgree) {
+  Team team({2, 4});
+
+  for (int i = 0; i < 10; ++i) team.look(0.2 * i, 1000.0);
+
+  team.expect_mirrored({2, 4}, 1.8);
+}
+
+TEST(Trust, NamesNobodyWhileAllAgree) {
+  Team team({});
+
+  for (int i = 0; i < 50; ++i) team.look(0.2 * i);
+
+  team.expect_mirrored({}, 9.8);
+  for (RobotId robot = 1; robot <= kTeam; ++robot) {
+    EXPECT_GT(team.book.trust(robot, at_second(9.8), kParameters), 0.9);
+  }
+}
+
+TEST(Trust, NamesNeitherOfTwoThatContradictEachOther) {
+  TrustBook book;
+  for (int i = 0; i < 50; ++i) {
+    const HostTime now = at_second(0.2 * i);
+    for (const RobotId robot : {RobotId{1}, RobotId{2}}) {
+      const RobotId other = robot == 1 ? 2 : 1;
+      book.begin_look(robot, now, kParameters);
+      book.note(robot, now, kSure, 1.0);
+      book.add(robot, {other, -1.0, -1.0}, kParameters);
+      book.judge(now, kParameters);
+    }
+  }
+
+  EXPECT_EQ(book.verdict(1, at_second(9.8), kParameters), Quarantine::kNone);
+  EXPECT_EQ(book.verdict(2, at_second(9.8), kParameters), Quarantine::kNone);
+}
+
+TEST(Trust, TakesBackWhoTurnedRoundAtOnce) {
+  Team team({3});
+  for (int i = 0; i < 10; ++i) team.look(0.2 * i);
+
+  team.set_right();
+  team.book.turn_over(3);
+  for (int i = 10; i < 15; ++i) team.look(0.2 * i);
+
+  team.expect_mirrored({}, 2.8);
+}
+
+TEST(Trust, NamesTheOneWhosePostureTheOthersSeeAside) {
+  TrustBook book;
+  for (int i = 0; i < 20; ++i) {
+    const HostTime now = at_second(0.2 * i);
+    for (RobotId robot = 1; robot <= kTeam; ++robot) {
+      book.begin_look(robot, now, kParameters);
+      book.note(robot, now, kSure, robot == 2 ? 100.0 : 1.0);
+      book.judge(now, kParameters);
+    }
+  }
+
+  EXPECT_EQ(book.verdict(2, at_second(3.8), kParameters), Quarantine::kBiased);
+  EXPECT_EQ(book.trust(2, at_second(3.8), kParameters), 0.0);
+  EXPECT_EQ(book.verdict(1, at_second(3.8), kParameters), Quarantine::kNone);
+}
+
+}  // namespace
+}  // namespace teamsight::fusion
