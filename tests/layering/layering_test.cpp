@@ -41,10 +41,14 @@ const std::vector<Layer> kLayers = {
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
                          "sim/match/", "sim/render/", "agent/frame_stream.hpp"}},  // the pipe's format
     {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",
-                         "recording/", "bench/locate_score/"}},  // `score` counts with it
+                         "recording/",
+                         "bench/locate_score/", "bench/fuse_score/", "bench/play/"}},  // `score` counts with them
     {"examples/",       {"geometry/", "client/"}},
     {"bench/locate_rivals/", {"geometry/", "vision/"}},
     {"bench/locate_score/",  {"geometry/", "vision/", "sim/match/", "sim/render/", "bench/locate_rivals/"}},
+    {"bench/play/",     {"geometry/", "fusion/"}},
+    {"bench/peers/",    {"geometry/", "fusion/"}},
+    {"bench/fuse_score/", {"geometry/", "fusion/", "bench/play/", "bench/peers/"}},
     {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/",
                          "client/", "sim/match/", "sim/render/"}},
     {"tests/",          {""}},  // everything

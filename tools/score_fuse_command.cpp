@@ -1,0 +1,193 @@
+// tools/score_fuse_command.cpp: see tools/score_command.hpp.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/fuse_score/run.hpp"
+#include "process/program.hpp"
+#include "tools/score_command.hpp"
+
+namespace teamsight::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> scenarios;
+  std::uint64_t first_seed{1};
+  std::uint64_t seeds{100};
+  double seconds{20.0};
+  bool no_peers{false};
+};
+
+/// To a tenth of a millimetre and the like: more digits are noise.
+double rounded(double value) {
+  return std::round(value * 1e4) / 1e4;
+}
+
+ordered_json ball_json(const score::BallTally& ball) {
+  const double bound = std::sqrt(ball.bound_position.mean());
+  const double bound_v = std::sqrt(ball.bound_velocity.mean());
+  ordered_json json;
+  json["rmse_m"] = rounded(ball.position.rms());
+  json["bound_m"] = rounded(bound);
+  json["ratio"] = bound > 0.0 ? ordered_json(rounded(ball.position.rms() / bound)) : nullptr;
+  json["median_m"] = rounded(ball.position.quantile(0.5));
+  json["p95_m"] = rounded(ball.position.quantile(0.95));
+  json["velocity_rmse_mps"] = rounded(ball.velocity.rms());
+  json["velocity_bound_mps"] = rounded(bound_v);
+  json["velocity_median_mps"] = rounded(ball.velocity.quantile(0.5));
+  json["known_share"] = ball.needed == 0
+                            ? nullptr
+                            : ordered_json(rounded(static_cast<double>(ball.position.count()) /
+                                                   static_cast<double>(ball.needed)));
+  if (ball.high.count() > 0) {
+    json["high_rmse_m"] = rounded(ball.high.rms());
+    json["high_median_m"] = rounded(ball.high.quantile(0.5));
+    json["high_ticks"] = ball.high.count();
+  }
+  if (ball.bound_high.count > 0) json["high_bound_m"] = rounded(std::sqrt(ball.bound_high.mean()));
+  if (ball.nees_position.count > 0) {
+    json["nees_position"] = rounded(ball.nees_position.mean());
+    json["nees_velocity"] = rounded(ball.nees_velocity.mean());
+    json["second_ball_share"] = rounded(ball.second_balls / std::max(1.0, 1.0 * ball.needed));
+  }
+  return json;
+}
+
+ordered_json obstacle_json(const score::ObstacleTally& obstacles, double minutes) {
+  ordered_json json;
+  json["gospa_m"] = rounded(std::sqrt(obstacles.gospa.mean()));
+  json["localisation_m"] = rounded(std::sqrt(obstacles.localisation.mean()));
+  json["missed"] = rounded(obstacles.missed.mean());
+  json["false"] = rounded(obstacles.false_ones.mean());
+  json["id_switches_per_minute"] = rounded(obstacles.switches / std::max(1e-9, minutes));
+  json["false_tracks_per_minute"] = rounded(obstacles.false_tracks / std::max(1e-9, minutes));
+  if (obstacles.nees.count > 0) json["nees"] = rounded(obstacles.nees.mean());
+  return json;
+}
+
+ordered_json trust_json(const score::TrustTally& trust) {
+  ordered_json json;
+  json["found"] = trust.found_after.size();
+  json["not_found"] = trust.not_found;
+  json["wrong_reason"] = trust.wrong_reason;
+  json["false_alarms"] = trust.false_alarms;
+  if (trust.found_after.empty()) return json;
+  std::vector<double> after = trust.found_after;
+  std::sort(after.begin(), after.end());
+  json["found_after_s_median"] = rounded(after[after.size() / 2]);
+  json["found_after_s_p95"] = rounded(after[(after.size() - 1) * 95 / 100]);
+  json["found_after_s_max"] = rounded(after.back());
+  return json;
+}
+
+ordered_json fusion_json(const score::Tally& tally) {
+  ordered_json json;
+  json["ball"] = ball_json(tally.ball);
+  json["obstacles"] = obstacle_json(tally.obstacles, tally.minutes);
+  json["teammates"]["rmse_m"] = rounded(tally.mates.position.rms());
+  json["teammates"]["said_rmse_m"] = rounded(tally.mates.said.rms());
+  json["teammates"]["nees"] = rounded(tally.mates.nees.mean());
+  json["trust"] = trust_json(tally.trust);
+  json["insert_us"] = rounded(tally.insert_us.mean());
+  json["minutes"] = rounded(tally.minutes);
+  return json;
+}
+
+void print(const std::string& scenario, const std::string& estimator, ordered_json rest) {
+  ordered_json line;
+  line["scenario"] = scenario;
+  line["estimator"] = estimator;
+  line.update(rest);
+  std::cout << line.dump() << std::endl;
+}
+
+/// Adds the results of one seed to those of the seeds before.
+void merge(std::vector<score::Scored>& into, const std::vector<score::Scored>& from) {
+  if (into.empty()) into.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    into[i].estimator = from[i].estimator;
+    into[i].tally.merge(from[i].tally);
+  }
+}
+
+void score_scenario(const play::Scenario& scenario, const Options& options) {
+  score::Tally fused;
+  score::Tally without_bad;
+  std::vector<score::Scored> balls;
+  std::vector<score::Scored> obstacles;
+  double worst_clock = 0.0;
+  for (std::uint64_t i = 0; i < options.seeds; ++i) {
+    const play::PlayLog log = play::play_log(scenario, options.first_seed + i, options.seconds);
+    const auto ticks = score::make_ticks(log);
+    fused.merge(score::run_fusion(log, ticks, false));
+    if (!scenario.faults.empty()) without_bad.merge(score::run_fusion(log, ticks, true));
+    worst_clock = std::max(worst_clock, log.worst_clock_error);
+    if (options.no_peers) continue;
+    merge(balls, score::run_ball_rules(log, ticks));
+    merge(obstacles, score::run_obstacle_rules(log, ticks));
+  }
+  ordered_json own = fusion_json(fused);
+  if (scenario.clocks.is_unknown) own["worst_clock_error_ms"] = rounded(1e3 * worst_clock);
+  print(scenario.name, "teamsight", own);
+  if (!scenario.faults.empty()) {
+    print(scenario.name, "teamsight-without-the-bad", fusion_json(without_bad));
+  }
+  for (const score::Scored& scored : balls) {
+    print(scenario.name, scored.estimator, {{"ball", ball_json(scored.tally.ball)}});
+  }
+  for (const score::Scored& scored : obstacles) {
+    print(scenario.name,
+          scored.estimator,
+          {{"obstacles", obstacle_json(scored.tally.obstacles, scored.tally.minutes)}});
+  }
+}
+
+/// The scenarios asked for, in the order of the list. @throws if one has no such name
+std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
+  std::vector<play::Scenario> all = play::all_scenarios();
+  if (names.empty()) return all;
+  for (const std::string& name : names) {
+    const auto is_named = [&](const play::Scenario& scenario) {
+      return scenario.name == name;
+    };
+    if (std::any_of(all.begin(), all.end(), is_named)) continue;
+    std::string known;
+    for (const play::Scenario& scenario : all) known += " " + scenario.name;
+    throw std::runtime_error("--scenario: found " + name + ", expected one of" + known);
+  }
+  std::erase_if(all, [&](const play::Scenario& scenario) {
+    return std::find(names.begin(), names.end(), scenario.name) == names.end();
+  });
+  return all;
+}
+
+}  // namespace
+
+void add_score_fuse_command(CLI::App& score, int& exit_code) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* fuse = score.add_subcommand("fuse", "fusion over made-up games, beside peers' rules");
+  fuse->add_option("--scenario", options->scenarios, "only these; default all");
+  fuse->add_option("--seeds", options->seeds, "games per scenario")->check(CLI::Range(1, 100000));
+  fuse->add_option("--first-seed", options->first_seed, "the first one");
+  fuse->add_option("--seconds", options->seconds, "length of a game")
+      ->check(CLI::Range(7.0, 3600.0));
+  fuse->add_flag("--no-peers", options->no_peers, "leave the peers' rules out");
+  fuse->callback([options, &exit_code] {
+    for (const play::Scenario& scenario : chosen(options->scenarios)) {
+      score_scenario(scenario, *options);
+    }
+    exit_code = process::kDone;
+  });
+}
+
+}  // namespace teamsight::tools
