@@ -40,7 +40,9 @@ CameraModel::CameraModel(const CameraParameters& parameters)
       mirrored_(parameters.mirrored),
       eye_([&]() -> std::variant<Radial, MirrorTrace> {
         if (const auto* table = std::get_if<RadialTable>(&parameters.mirror)) {
-          return Radial{angle_curve(*table), table->mirror_height};
+          return Radial{angle_curve(*table),
+                        table->mirror_height,
+                        head_rotation(table->head_roll, table->head_pitch)};
         }
         // A camera that looks up has x towards image right and y towards image bottom, so its
         // picture is mirrored; one that is not was turned over, which also turns `forward`.
@@ -61,7 +63,12 @@ std::optional<Ray<Robot>> CameraModel::ray(const Pixel& pixel) const {
   const double du = pixel.u - centre_.u;
   const double dv = pixel.v - centre_.v;
   if (const auto* mirror = std::get_if<MirrorTrace>(&eye_)) return mirror->trace(du, dv);
-  const auto& radial = std::get<Radial>(eye_);
+  return radial_ray(std::get<Radial>(eye_), du, dv);
+}
+
+std::optional<Ray<Robot>> CameraModel::radial_ray(const Radial& radial,
+                                                  double du,
+                                                  double dv) const {
   const double radius = std::hypot(du, dv);
   const MonotoneCurve& curve = radial.angle_from_down;
   if (radius < curve.first().x || radius > curve.last().x) return std::nullopt;
@@ -69,8 +76,9 @@ std::optional<Ray<Robot>> CameraModel::ray(const Pixel& pixel) const {
   const double heading = azimuth(std::atan2(-dv, du));
   Ray<Robot> ray;
   ray.origin = {0.0, 0.0, radial.viewpoint_height};
-  ray.direction = {
-      std::sin(angle) * std::cos(heading), std::sin(angle) * std::sin(heading), -std::cos(angle)};
+  ray.direction = radial.R_RH * Eigen::Vector3d(std::sin(angle) * std::cos(heading),
+                                                std::sin(angle) * std::sin(heading),
+                                                -std::cos(angle));
   return ray;
 }
 
@@ -81,12 +89,18 @@ std::optional<Point<Robot>> CameraModel::on_plane(const Pixel& pixel, double hei
 
 std::optional<Pixel> CameraModel::project(const Point3<Robot>& p_R) const {
   const auto* radial = std::get_if<Radial>(&eye_);
-  if (radial == nullptr) return project_through_mirror(p_R);
-  const double angle = std::atan2(std::hypot(p_R.x, p_R.y), radial->viewpoint_height - p_R.z);
-  const MonotoneCurve& curve = radial->angle_from_down;
+  return radial != nullptr ? project_radial(*radial, p_R) : project_through_mirror(p_R);
+}
+
+std::optional<Pixel> CameraModel::project_radial(const Radial& radial,
+                                                 const Point3<Robot>& p_R) const {
+  const Eigen::Vector3d sight_H =
+      radial.R_RH.transpose() * Eigen::Vector3d(p_R.x, p_R.y, p_R.z - radial.viewpoint_height);
+  const double angle = std::atan2(sight_H.head<2>().norm(), -sight_H.z());
+  const MonotoneCurve& curve = radial.angle_from_down;
   if (angle < curve.first().y || angle > curve.last().y) return std::nullopt;
   const double radius = curve.inverse(angle);
-  const double direction = image_direction(std::atan2(p_R.y, p_R.x));
+  const double direction = image_direction(std::atan2(sight_H.y(), sight_H.x()));
   return Pixel{centre_.u + radius * std::cos(direction), centre_.v - radius * std::sin(direction)};
 }
 

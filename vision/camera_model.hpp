@@ -60,7 +60,14 @@ class CameraModel {
   struct Radial {
     MonotoneCurve angle_from_down;
     double viewpoint_height;
+    Eigen::Matrix3d R_RH;  // the head (H) is turned about the viewpoint
   };
+
+  [[nodiscard]] std::optional<Ray<Robot>> radial_ray(const Radial& radial,
+                                                     double du,
+                                                     double dv) const;
+  [[nodiscard]] std::optional<Pixel> project_radial(const Radial& radial,
+                                                    const Point3<Robot>& p_R) const;
 
   /// How far the ray of `pixel` passes above `p_R` (elevation) and to its left (azimuth); rad.
   [[nodiscard]] std::optional<Eigen::Vector2d> miss(const Pixel& pixel,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,6 +27,8 @@ struct RadialTable {
   double centre_v_px{0.0};    ///< row
   double mirror_height{0.0};  ///< of the virtual viewpoint over the floor; m
   std::vector<RingMark> rows;
+  double head_roll{0.0};   ///< of camera and mirror, about R's x axis through the viewpoint; rad
+  double head_pitch{0.0};  ///< about R's y axis; rad
 
   friend bool operator==(const RadialTable&, const RadialTable&) = default;
 };
@@ -111,6 +114,38 @@ struct ScanPattern {
   friend bool operator==(const ScanPattern&, const ScanPattern&) = default;
 };
 
+/// What a calibration may turn in a camera, each counted from what the camera file says.
+enum class CameraKnob : std::uint8_t {
+  kCentreU,  ///< px
+  kCentreV,
+  kFocal,  ///< share of both focal lengths
+  kOffsetX,  ///< of the mirror in C; m
+  kOffsetY,
+  kOffsetZ,
+  kTiltX,  ///< of the mirror about C's axes; rad
+  kTiltY,
+  kHeadRoll,  ///< rad
+  kHeadPitch,
+  kHeight,   ///< of the pinhole; m
+  kRadial0,  ///< shares of a radial table's radii: Chebyshev polynomials over the radius
+  kRadial1,
+  kRadial2,
+  kRadial3,
+  kRadial4,
+};
+
+/// How well a calibration knew the camera.
+struct CalibrationRecord {
+  std::vector<CameraKnob> knobs;  ///< at most kMaxCameraKnobs, none twice
+  std::vector<double> cov;        ///< of the knobs, row by row, in their units squared
+  double residual_px{0.0};        ///< median distance of the line points from the paint
+  std::uint32_t views{0};         ///< images it was made from
+
+  friend bool operator==(const CalibrationRecord&, const CalibrationRecord&) = default;
+};
+
+inline constexpr int kMaxCameraKnobs = 12;
+
 /// Everything the vision must know of one camera.
 struct CameraParameters {
   std::string name;
@@ -123,6 +158,7 @@ struct CameraParameters {
   ColourParameters colours;
   Mask mask;
   ScanPattern scan;
+  std::optional<CalibrationRecord> calibration;  ///< nothing: how well it is known is not known
 
   friend bool operator==(const CameraParameters&, const CameraParameters&) = default;
 };

@@ -19,13 +19,17 @@ Eigen::Matrix3d rotation(double about_x, double about_y, double about_z) {
 
 }  // namespace
 
+Eigen::Matrix3d head_rotation(double roll, double pitch) {
+  return rotation(roll, pitch, 0.0);
+}
+
 MirrorTrace::MirrorTrace(const ProfileMirror& mirror, double image_right, bool flipped)
     : profile_(mirror.profile),
       focal_x_(mirror.focal_x_px),
       focal_y_(mirror.focal_y_px),
       flipped_(flipped),
       R_CM_(rotation(mirror.tilt_C[0], mirror.tilt_C[1], 0.0)),
-      R_RC_(rotation(mirror.head_roll, mirror.head_pitch, 0.0) * rotation(0.0, 0.0, image_right)),
+      R_RC_(head_rotation(mirror.head_roll, mirror.head_pitch) * rotation(0.0, 0.0, image_right)),
       p_RC_(0.0, 0.0, mirror.pinhole_height) {
   // The mirror tilts about its apex and is then moved.
   const Eigen::Vector3d apex{0.0, 0.0, profile_.height(0.0)};

@@ -12,6 +12,9 @@
 
 namespace teamsight::vision {
 
+/// Turns the head (camera and mirror together) against R: first about x, then about y.
+[[nodiscard]] Eigen::Matrix3d head_rotation(double roll, double pitch);
+
 /// Traces lines of sight through a ProfileMirror.
 class MirrorTrace {
  public:
