@@ -1,9 +1,11 @@
 // settings/camera_file.cpp: a camera file becomes CameraParameters.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "config.pb.h"
 #include "geometry/angle.hpp"
+#include "settings/calibration_record.hpp"
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 #include "settings/text_format.hpp"
@@ -72,6 +74,8 @@ vision::RadialTable radial_table(const TextFile& text, const CameraFile::RadialT
   table.centre_u_px = file.centre_u_px();
   table.centre_v_px = file.centre_v_px();
   table.mirror_height = file.mirror_height_m();
+  table.head_roll = radians(file.head_roll_deg());
+  table.head_pitch = radians(file.head_pitch_deg());
   for (int i = 0; i < file.row_size(); ++i) {
     const auto& row = file.row(i);
     if (i > 0) {
@@ -124,6 +128,38 @@ std::variant<vision::RadialTable, vision::ProfileMirror> mirror_of(const TextFil
       break;
   }
   throw text.error("mirror", "no mirror", "a block radial_table or profile");
+}
+
+// Pixels from the centre to the mirror's rim.
+double rim_px(const vision::CameraParameters& camera) {
+  if (const auto* table = std::get_if<vision::RadialTable>(&camera.mirror)) {
+    return table->rows.back().radius_px;
+  }
+  const auto& mirror = std::get<vision::ProfileMirror>(camera.mirror);
+  const vision::ProfilePoint& rim = mirror.profile.back();
+  return mirror.focal_x_px * rim.x / (rim.y + mirror.offset_C[2]);
+}
+
+// A mirror that fills but a spot of the image, or less than the mask lets through, is not the one
+// in front of this lens.
+void check_cover(const TextFile& text,
+                 const CameraFile& file,
+                 const vision::CameraParameters& camera) {
+  constexpr double kLeast = 0.2;  // of the image's smaller side
+  constexpr double kSlack = 1.5;  // px
+  const double rim = rim_px(camera);
+  const double least = kLeast * std::min(camera.width_px, camera.height_px);
+  if (!(rim >= least)) {
+    throw text.error(file.has_profile() ? "profile.profile_csv" : "radial_table.row",
+                     "a mirror whose rim is seen " + text_of(std::round(rim)) +
+                         " px from the centre of the image",
+                     "at least " + text_of(std::round(least)) + " px: it does not cover the image");
+  }
+  if (file.mask().has_outer_radius_px() && camera.mask.outer_radius_px > rim + kSlack) {
+    throw text.error("mask.outer_radius_px",
+                     text_of(camera.mask.outer_radius_px),
+                     "at most where the mirror ends, " + text_of(std::round(rim)) + " px");
+  }
 }
 
 // ---- colours and mask --------------------------------------------------------------------------
@@ -189,6 +225,8 @@ vision::CameraParameters load_camera(const std::filesystem::path& path) {
   camera.mirrored = file.mounting().mirrored();
   camera.colours = colours_of(text, file.colours());
   camera.mask = mask_of(text, file);
+  check_cover(text, file, camera);
+  if (file.has_calibration()) camera.calibration = calibration_record(text, file);
   camera.scan.rays = static_cast<std::uint16_t>(file.scan().rays());
   camera.scan.max_distance = file.scan().max_distance_m();
   camera.scan.min_contrast = file.scan().min_contrast();

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "config.pb.h"
+#include "settings/calibration_record.hpp"
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 
@@ -69,6 +70,8 @@ void write(const vision::RadialTable& table, CameraFile& file) {
   out.set_centre_u_px(table.centre_u_px);
   out.set_centre_v_px(table.centre_v_px);
   out.set_mirror_height_m(table.mirror_height);
+  out.set_head_roll_deg(degrees(table.head_roll));
+  out.set_head_pitch_deg(degrees(table.head_pitch));
   for (const vision::RingMark& mark : table.rows) {
     auto& row = *out.add_row();
     row.set_radius_px(mark.radius_px);
@@ -132,6 +135,7 @@ CameraFile file_of(const vision::CameraParameters& camera, const std::filesystem
   file.mutable_mounting()->set_mirrored(camera.mirrored);
   write(camera.colours, *file.mutable_colours());
   write(camera.mask, *file.mutable_mask());
+  if (camera.calibration) write_record(*camera.calibration, *file.mutable_calibration());
   file.mutable_scan()->set_rays(camera.scan.rays);
   file.mutable_scan()->set_max_distance_m(camera.scan.max_distance);
   file.mutable_scan()->set_min_contrast(camera.scan.min_contrast);

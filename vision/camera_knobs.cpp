@@ -14,7 +14,6 @@ namespace teamsight::vision {
 namespace {
 
 struct KnobFacts {
-  std::string_view name;
   double nudge;
   double sigma;  // of the prior
 };
@@ -25,51 +24,27 @@ constexpr double kDegree = 0.017453292519943295;
 // pixels, one or two per cent of the lens, a millimetre, half a degree. Those of a radial table
 // must also take up a mirror that is not quite the one it was measured with.
 constexpr std::array<KnobFacts, 16> kFacts{{
-    {"centre_u_px", 0.05, 4.0},
-    {"centre_v_px", 0.05, 4.0},
-    {"focal_ratio", 1e-4, 0.015},
-    {"offset_x_m", 1e-5, 0.001},
-    {"offset_y_m", 1e-5, 0.001},
-    {"offset_z_m", 1e-5, 0.001},
-    {"tilt_x_rad", 1e-4, 0.5 * kDegree},
-    {"tilt_y_rad", 1e-4, 0.5 * kDegree},
-    {"head_roll_rad", 1e-4, 0.5 * kDegree},
-    {"head_pitch_rad", 1e-4, 0.5 * kDegree},
-    {"pinhole_height_m", 1e-4, 0.005},
-    {"radial_0_ratio", 1e-4, 0.05},
-    {"radial_1_ratio", 1e-4, 0.03},
-    {"radial_2_ratio", 1e-4, 0.02},
-    {"radial_3_ratio", 1e-4, 0.01},
-    {"radial_4_ratio", 1e-4, 0.005},
+    {0.05, 4.0},
+    {0.05, 4.0},
+    {1e-4, 0.015},
+    {1e-5, 0.001},
+    {1e-5, 0.001},
+    {1e-5, 0.001},
+    {1e-4, 0.5 * kDegree},
+    {1e-4, 0.5 * kDegree},
+    {1e-4, 0.5 * kDegree},
+    {1e-4, 0.5 * kDegree},
+    {1e-4, 0.005},
+    {1e-4, 0.05},
+    {1e-4, 0.03},
+    {1e-4, 0.02},
+    {1e-4, 0.01},
+    {1e-4, 0.005},
 }};
 
 const KnobFacts& facts_of(CameraKnob knob) {
   return kFacts.at(static_cast<std::size_t>(knob));
 }
-
-constexpr std::array kProfileKnobs{CameraKnob::kCentreU,
-                                   CameraKnob::kCentreV,
-                                   CameraKnob::kFocal,
-                                   CameraKnob::kOffsetX,
-                                   CameraKnob::kOffsetY,
-                                   CameraKnob::kOffsetZ,
-                                   CameraKnob::kTiltX,
-                                   CameraKnob::kTiltY,
-                                   CameraKnob::kHeadRoll,
-                                   CameraKnob::kHeadPitch,
-                                   CameraKnob::kHeight};
-
-constexpr std::array kRadialKnobs{CameraKnob::kCentreU,
-                                  CameraKnob::kCentreV,
-                                  CameraKnob::kHeadRoll,
-                                  CameraKnob::kHeadPitch,
-                                  CameraKnob::kRadial0,
-                                  CameraKnob::kRadial1,
-                                  CameraKnob::kRadial2,
-                                  CameraKnob::kRadial3,
-                                  CameraKnob::kRadial4};
-
-static_assert(kProfileKnobs.size() <= kMaxCameraKnobs && kRadialKnobs.size() <= kMaxCameraKnobs);
 
 void turn_one(ProfileMirror& mirror, CameraKnob knob, double by) {
   switch (knob) {
@@ -157,23 +132,15 @@ bool is_possible(const RadialTable& table) {
 
 std::vector<KnobPrior> knobs_of(const CameraParameters& camera) {
   std::vector<KnobPrior> knobs;
-  const auto add = [&](const auto& list) {
-    for (const CameraKnob knob : list) knobs.push_back({knob, facts_of(knob).sigma});
-  };
-  if (std::holds_alternative<ProfileMirror>(camera.mirror)) {
-    add(kProfileKnobs);
-  } else {
-    add(kRadialKnobs);
+  const bool is_profile = std::holds_alternative<ProfileMirror>(camera.mirror);
+  for (const CameraKnob knob : knobs_of_mirror(is_profile)) {
+    knobs.push_back({knob, facts_of(knob).sigma});
   }
   return knobs;
 }
 
 double nudge_of(CameraKnob knob) {
   return facts_of(knob).nudge;
-}
-
-std::string_view name_of(CameraKnob knob) {
-  return facts_of(knob).name;
 }
 
 std::optional<CameraParameters> turned(const CameraParameters& camera,
@@ -186,10 +153,8 @@ std::optional<CameraParameters> turned(const CameraParameters& camera,
     if (auto* profile = std::get_if<ProfileMirror>(&result.mirror)) {
       turn_one(*profile, knobs[k], by);
     } else {
-      turn_one(std::get<RadialTable>(result.mirror),
-               knobs[k],
-               by,
-               std::get<RadialTable>(camera.mirror));
+      turn_one(
+          std::get<RadialTable>(result.mirror), knobs[k], by, std::get<RadialTable>(camera.mirror));
     }
   }
   const bool possible =

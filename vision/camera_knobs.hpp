@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "vision/camera_knob_names.hpp"
 #include "vision/camera_parameters.hpp"
 
 namespace teamsight::vision {
@@ -25,9 +25,6 @@ struct KnobPrior {
 
 /// A step by which a knob's effect is measured, small against all that is not linear.
 [[nodiscard]] double nudge_of(CameraKnob knob);
-
-/// Name with unit as the camera file and reports have it, such as "centre_u_px".
-[[nodiscard]] std::string_view name_of(CameraKnob knob);
 
 /// The camera with its knobs turned.
 ///

@@ -118,7 +118,7 @@ struct ScanPattern {
 enum class CameraKnob : std::uint8_t {
   kCentreU,  ///< px
   kCentreV,
-  kFocal,  ///< share of both focal lengths
+  kFocal,    ///< share of both focal lengths
   kOffsetX,  ///< of the mirror in C; m
   kOffsetY,
   kOffsetZ,

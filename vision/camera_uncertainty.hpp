@@ -46,7 +46,8 @@ class CameraUncertainty {
   /// @return nothing where the pixel, or one beside it, looks beside the mirror; the same below
   [[nodiscard]] std::optional<UncertainRay> ray(const Pixel& pixel, double sigma_px) const;
 
-  /// On the horizontal plane at `height`: 0 is the floor, the ball's radius the plane of its centre.
+  /// On the horizontal plane at `height`: 0 is the floor, the ball's radius the plane of its
+  /// centre.
   [[nodiscard]] std::optional<UncertainPlace> on_plane(const Pixel& pixel,
                                                        double height,
                                                        double sigma_px) const;

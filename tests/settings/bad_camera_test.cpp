@@ -47,8 +47,10 @@ INSTANTIATE_TEST_SUITE_P(Each, BadCamera, testing::Values(
            "'RGB'", "one of BGR, YUYV, UYVY, GREY"},
     Spoilt{"BlackAboveWhite", "black_max_y: 50", "black_max_y: 150", "16:3", "colours.black_max_y",
            "150", "less than white_min_y, 150"},
-    Spoilt{"RimInsideTheBody", "outer_radius_px: 220", "outer_radius_px: 40", "22:3",
+    Spoilt{"RimInsideTheBody", "outer_radius_px: 175", "outer_radius_px: 40", "22:3",
            "mask.outer_radius_px", "40", "more than inner_radius_px, 40"},
+    Spoilt{"MaskBeyondTheMirror", "outer_radius_px: 175", "outer_radius_px: 182", "22:3",
+           "mask.outer_radius_px", "182", "at most where the mirror ends, 180 px"},
     Spoilt{"SectorBackwards", "to_deg: 370", "to_deg: 10", "23:26", "mask.sector[0].to_deg",
            "10", "more than from_deg, by less than a full turn"}),
     name_of_spoilt);
@@ -66,6 +68,31 @@ TEST(LoadCamera, RefusesACameraWithoutMirror) {
             path.string() +
                 ":1:1: key 'mirror': found no mirror, expected a block radial_table "
                 "or profile");
+}
+
+TEST(LoadCamera, RefusesAMirrorThatDoesNotCoverTheImage) {
+  const TemporaryFolder folder;
+  std::ignore = folder.write("eye.csv", "x_m,y_m\n0,0.2\n0.002,0.21\n0.004,0.23\n");
+  const auto path = folder.write("eye.textproto", kProfileCamera);
+
+  EXPECT_EQ(complaint_of([&] { std::ignore = load_camera(path); }),
+            path.string() +
+                ":10:3: key 'profile.profile_csv': found a mirror whose rim is seen 10 px "
+                "from the centre of the image, expected at least 96 px: it does not "
+                "cover the image");
+}
+
+TEST(LoadCamera, RefusesACalibrationOfAnotherKindOfMirror) {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("eye.textproto",
+                   std::string(kRadialCamera) +
+                       "calibration {\n  knob { name: \"tilt_x_rad\" sigma: 0.1 }\n}\n");
+
+  EXPECT_EQ(complaint_of([&] { std::ignore = load_camera(path); }),
+            path.string() +
+                ":26:10: key 'calibration.knob[0].name': found tilt_x_rad, expected a "
+                "knob of this kind of mirror");
 }
 
 TEST(LoadCamera, NamesTheProfileThatIsNotThere) {

@@ -24,7 +24,7 @@ colours {
 }
 mask {
   inner_radius_px: 40
-  outer_radius_px: 220
+  outer_radius_px: 175
   sector { from_deg: 350 to_deg: 370 }
 }
 )";

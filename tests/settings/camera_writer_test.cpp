@@ -86,6 +86,37 @@ TEST(SaveCamera, KeepsAProfile) {
   EXPECT_EQ(again.mask, camera.mask);
 }
 
+TEST(SaveCamera, KeepsHowWellTheCameraIsKnown) {
+  const TemporaryFolder folder;
+  vision::CameraParameters camera = profile_camera(folder);
+  vision::CalibrationRecord record;
+  record.knobs = {vision::CameraKnob::kCentreU, vision::CameraKnob::kTiltX};
+  record.cov = {0.04, -1e-4, -1e-4, 1e-6};
+  record.residual_px = 0.25;
+  record.views = 12;
+  camera.calibration = record;
+
+  save_camera(folder.path() / "saved.textproto", camera);
+  const auto again = load_camera(folder.path() / "saved.textproto").calibration;
+
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->knobs, record.knobs);
+  EXPECT_THAT(again->cov, testing::Pointwise(testing::DoubleNear(1e-15), record.cov));
+  EXPECT_EQ(again->residual_px, 0.25);
+  EXPECT_EQ(again->views, 12U);
+}
+
+TEST(SaveCamera, KeepsTheTiltOfATablesHead) {
+  const TemporaryFolder folder;
+  vision::CameraParameters camera = radial_camera(folder);
+  std::get<vision::RadialTable>(camera.mirror).head_roll = 0.01;
+
+  save_camera(folder.path() / "saved.textproto", camera);
+  const auto again = load_camera(folder.path() / "saved.textproto");
+
+  EXPECT_NEAR(std::get<vision::RadialTable>(again.mirror).head_roll, 0.01, 1e-12);
+}
+
 TEST(SaveCamera, WritesTheCommentAndLeavesNoDraft) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "saved.textproto";

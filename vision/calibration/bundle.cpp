@@ -18,7 +18,7 @@ namespace teamsight::vision {
 namespace {
 
 constexpr std::array kWidths{0.3, 0.2, 0.12, 0.08, 0.05, 0.0};  // m, of the kernel
-constexpr double kLastWidth = 0.02;                              // m, or 3 sigma
+constexpr double kLastWidth = 0.02;                             // m, or 3 sigma
 constexpr int kStepsPerWidth = 4;
 constexpr int kLastSteps = 12;
 constexpr double kGate = 0.25;          // m: farther points say nothing about the scale
@@ -216,8 +216,7 @@ bool Adjustment::descend(double width, int steps) {
     const double before = cost(state_, width);
     for (int attempt = 0; attempt < 5; ++attempt) {
       const State next = step(here, damping);
-      const double moved =
-          std::sqrt((next.turn - state_.turn).cwiseAbs2().dot(prior_info_));
+      const double moved = std::sqrt((next.turn - state_.turn).cwiseAbs2().dot(prior_info_));
       if (look(next, false) && cost(next, width) <= before + 1e-9) {
         state_ = next;
         damping *= 0.1;

@@ -23,16 +23,16 @@ struct CalibrationView {
 
 /// One pixel of a view against the paint.
 struct PaintMiss {
-  double distance{0.0};   ///< from the nearest paint; signed; m
+  double distance{0.0};     ///< from the nearest paint; signed; m
   double distance_px{0.0};  ///< the same in the picture, across the paint
-  double radial_px{0.0};  ///< share of it that points away from the image centre, signed outwards
+  double radial_px{0.0};    ///< share of it that points away from the image centre, signed outwards
   double direction{0.0};  ///< of the pixel in the picture, counter-clockwise from image right; rad
   double radius_px{0.0};
 };
 
 /// How the fit goes about it.
 struct BundleRules {
-  double sigma_px{0.3};    ///< of a line pixel, across the line; the true one is measured
+  double sigma_px{0.3};      ///< of a line pixel, across the line; the true one is measured
   double max_distance{7.0};  ///< m; pixels that show floor farther away are left out
 };
 
@@ -46,11 +46,11 @@ struct BundleStart {
 struct Bundle {
   CameraParameters camera;
   std::vector<CalibrationView> views;
-  Eigen::VectorXd turn;       ///< of the knobs, from the camera it started with
-  Eigen::MatrixXd info;       ///< of the knobs from the views alone, postures marginalised
-  double scale{1.0};          ///< true sigma of the pixels over the claimed one
-  double correlation{1.0};    ///< how many neighbouring pixels count as one
-  double cost{0.0};           ///< robust, at the end; ranks starts of the same views
+  Eigen::VectorXd turn;     ///< of the knobs, from the camera it started with
+  Eigen::MatrixXd info;     ///< of the knobs from the views alone, postures marginalised
+  double scale{1.0};        ///< true sigma of the pixels over the claimed one
+  double correlation{1.0};  ///< how many neighbouring pixels count as one
+  double cost{0.0};         ///< robust, at the end; ranks starts of the same views
   bool converged{false};
 };
 

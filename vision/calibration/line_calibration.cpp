@@ -201,7 +201,8 @@ void Calibrator::judge(const Bundle& bundle, LineCalibration& result) const {
     const auto i = static_cast<Eigen::Index>(k);
     info(i, i) += 1.0 / (priors_[k].sigma * priors_[k].sigma);
   }
-  const Eigen::MatrixXd cov = info.ldlt().solve(Eigen::MatrixXd::Identity(info.rows(), info.cols()));
+  const Eigen::MatrixXd cov =
+      info.ldlt().solve(Eigen::MatrixXd::Identity(info.rows(), info.cols()));
   for (std::size_t k = 0; k < priors_.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.knobs.push_back({priors_[k], bundle.turn[i], std::sqrt(cov(i, i))});

@@ -24,7 +24,8 @@ bool ViewSearch::look(const CameraModel& model,
     LinePoint point{pixel.u, pixel.v, *floor, {}};
     // Not yet calibrated: a pixel may be off by more than its noise.
     const double sigma = 3.0 * rules.sigma_px;
-    point.cov_R = sigma * sigma * *per_px * per_px->transpose() + 1e-6 * Eigen::Matrix2d::Identity();
+    point.cov_R =
+        sigma * sigma * *per_px * per_px->transpose() + 1e-6 * Eigen::Matrix2d::Identity();
     points_.push_back(point);
   }
   return points_.size() >= kFewestPoints;
@@ -36,13 +37,6 @@ std::vector<PostureFit> ViewSearch::search(const CameraModel& model,
   if (!look(model, pixels, rules)) return {};
   const auto found = search_.search(*map_, points_, fitter_);
   return {found.begin(), found.end()};
-}
-
-std::optional<PostureFit> ViewSearch::refine(const CameraModel& model,
-                                             const CalibrationView& view,
-                                             const BundleRules& rules) {
-  if (!look(model, view.pixels, rules)) return std::nullopt;
-  return fitter_.fit(*map_, points_, view.X_FR);
 }
 
 }  // namespace teamsight::vision

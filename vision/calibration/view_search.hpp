@@ -23,11 +23,6 @@ class ViewSearch {
                                                std::span<const Pixel> pixels,
                                                const BundleRules& rules);
 
-  /// From a posture near by. @return nothing if too few pixels show floor within reach
-  [[nodiscard]] std::optional<PostureFit> refine(const CameraModel& model,
-                                                 const CalibrationView& view,
-                                                 const BundleRules& rules);
-
  private:
   bool look(const CameraModel& model, std::span<const Pixel> pixels, const BundleRules& rules);
 

@@ -176,7 +176,8 @@ double ground_error(const BentCamera& camera, const CameraModel& model) {
   for (int ring = 2; ring <= 12; ++ring) {
     for (int i = 0; i < 36; ++i) {
       const double azimuth = 2.0 * std::numbers::pi * i / 36;
-      const Eigen::Vector2d p_R = 0.5 * ring * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+      const Eigen::Vector2d p_R =
+          0.5 * ring * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
       const auto pixel = camera.pixel_of(p_R);
       if (!pixel) continue;
       const auto place = model.on_plane({pixel->x(), pixel->y()}, 0.0);
