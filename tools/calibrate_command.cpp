@@ -1,138 +1,18 @@
-// tools/calibrate_command.cpp: rings in pictures become the radial table of a camera file.
+// tools/calibrate_command.cpp: the ways to make a camera file, under one name.
 #include "tools/calibrate_command.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
-#include "settings/load.hpp"
-#include "tools/image_file.hpp"
-#include "tools/number_list.hpp"
-#include "vision/ring_calibration.hpp"
+#include "tools/calibrate_lines.hpp"
+#include "tools/calibrate_rings.hpp"
 
 namespace teamsight::tools {
 
-namespace {
-
-using nlohmann::ordered_json;
-
-constexpr int kNo = 1;
-
-struct RingOptions {
-  std::string base;
-  std::string out;
-  std::string image;
-  std::string distances;
-  std::string centre;
-  double inner_px{0.0};
-};
-
-std::vector<double> growing_distances(const std::string& text) {
-  std::vector<double> distances = read_numbers("--distances", text);
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (distances[i] > (i > 0 ? distances[i - 1] : 0.0)) continue;
-    throw std::runtime_error("--distances: found \"" + text +
-                             "\", expected growing distances over 0 m");
-  }
-  return distances;
-}
-
-vision::RingRules rules_of(const RingOptions& options,
-                           const vision::CameraParameters& camera,
-                           const vision::RadialTable& table,
-                           const ImageFile& picture) {
-  vision::RingRules rules;
-  rules.distances = growing_distances(options.distances);
-  rules.sectors = camera.mask.sectors;
-  rules.mirror_height = table.mirror_height;
-  rules.inner_radius_px = std::max({camera.mask.inner_radius_px, options.inner_px, 20.0});
-  rules.centre = {0.5 * picture.width_px, 0.5 * picture.height_px};
-  if (!options.centre.empty()) {
-    const std::vector<double> centre = read_numbers("--centre", options.centre, 2);
-    rules.centre = {centre[0], centre[1]};
-  }
-  return rules;
-}
-
-ordered_json report(const std::string& image, const vision::RingCalibration& calibration) {
-  ordered_json line;
-  line["image"] = image;
-  line["centre_u_px"] = calibration.centre.u;
-  line["centre_v_px"] = calibration.centre.v;
-  line["rings"] = ordered_json::array();
-  double sum = 0.0;
-  for (const vision::FoundRing& ring : calibration.rings) {
-    line["rings"].push_back({{"radius_px", ring.mark.radius_px},
-                             {"distance_m", ring.mark.distance},
-                             {"sigma_px", ring.mark.sigma_px},
-                             {"sigma_mean_px", ring.sigma_mean_px},
-                             {"directions", ring.directions},
-                             {"left_out_px", ring.left_out_px}});
-    sum += ring.left_out_px * ring.left_out_px;
-  }
-  // The outermost ring cannot be left out: nothing lies beyond it.
-  line["left_out_rms_px"] = std::sqrt(sum / static_cast<double>(calibration.rings.size() - 1));
-  return line;
-}
-
-// The base camera with its table's rows replaced. The centre stays: a calibration picture may be
-// cut out of the frame.
-vision::CameraParameters with_rings(vision::CameraParameters camera,
-                                    const vision::RingCalibration& calibration) {
-  auto& table = std::get<vision::RadialTable>(camera.mirror);
-  // On the axis the camera sees itself: straight down. The radius is known only roughly there.
-  table.rows = {{0.0, 0.0, 2.0}};
-  for (const vision::FoundRing& ring : calibration.rings) table.rows.push_back(ring.mark);
-  return camera;
-}
-
-int calibrate(const RingOptions& options) {
-  const auto camera = settings::load_camera(options.base);
-  const auto* table = std::get_if<vision::RadialTable>(&camera.mirror);
-  if (table == nullptr) {
-    throw std::runtime_error(options.base + ": mirror: found profile, expected radial_table");
-  }
-  const ImageFile picture = read_grey_picture(options.image);
-  const auto calibration =
-      vision::calibrate_rings(picture.view(), rules_of(options, camera, *table, picture));
-  if (!calibration) {
-    std::cerr << "teamsight: " << options.image << ": fewer than three rings found\n";
-    return kNo;
-  }
-  std::cout << report(options.image, *calibration).dump() << std::endl;
-  if (!options.out.empty()) {
-    settings::save_camera(options.out,
-                          with_rings(camera, *calibration),
-                          "Radial table from rings: teamsight calibrate rings");
-  }
-  return 0;
-}
-
-}  // namespace
-
 void add_calibrate_command(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<RingOptions>();
   CLI::App* command = app.add_subcommand("calibrate", "Makes camera files from pictures");
   command->require_subcommand(1);
-  CLI::App* rings = command->add_subcommand("rings", "From rings at known distances");
-  rings->add_option("--base", options->base, "camera file to start from; needs a radial table")
-      ->required();
-  rings->add_option("--distances", options->distances, "of the rings in m, comma separated")
-      ->required();
-  rings->add_option("--centre", options->centre, "u_px,v_px in the picture; else its middle");
-  rings->add_option("--inner", options->inner_px, "px; rings are looked for beyond this radius");
-  rings->add_option("--out", options->out, "camera file to write");
-  rings->add_option("image", options->image, "picture of the rings")->required();
-  rings->callback([options, &exit_code] { exit_code = calibrate(*options); });
+  add_calibrate_lines(*command, exit_code);
+  add_calibrate_rings(*command, exit_code);
 }
 
 }  // namespace teamsight::tools

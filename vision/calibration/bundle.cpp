@@ -69,13 +69,26 @@ class Adjustment {
 
  private:
   /// Looks at all pixels through the camera of `state`; nothing if there is no such camera.
-  [[nodiscard]] bool look(const State& state, bool with_slopes);
+  bool look(const State& state, bool with_slopes);
   [[nodiscard]] double cost(const State& state, double width) const;
   [[nodiscard]] Normals normals(const State& state, double width) const;
   [[nodiscard]] State step(const Normals& normals, double damping) const;
   void measure_scale(const State& state);
   [[nodiscard]] double correlation(const State& state) const;
+  /// One step with growing damping until it leads down. @return how far it went, in sigma of the
+  /// priors; 0 if no step leads down
+  double go_down(double width);
   bool descend(double width, int steps);
+
+  /// Calls use(miss) for every pixel that shows floor, view by view, in the order given.
+  template <class Use>
+  void over_misses(const State& state, const Use& use) const {
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      for (const FloorLook& seen : looks_[v]) {
+        use(miss_of(map_, state.X_FR[v], seen, rules_.sigma_px));
+      }
+    }
+  }
 
   const LineMap& map_;
   const CameraParameters& camera_;
@@ -170,14 +183,10 @@ State Adjustment::step(const Normals& normals, double damping) const {
 
 void Adjustment::measure_scale(const State& state) {
   std::vector<double> sizes;
-  for (std::size_t v = 0; v < views_.size(); ++v) {
-    for (const FloorLook& seen : looks_[v]) {
-      const FloorMiss miss = miss_of(map_, state.X_FR[v], seen, rules_.sigma_px);
-      if (std::abs(miss.distance) < kGate) {
-        sizes.push_back(std::abs(miss.distance) / std::sqrt(miss.var));
-      }
-    }
-  }
+  over_misses(state, [&](const FloorMiss& miss) {
+    const double size = std::abs(miss.distance);
+    if (size < kGate) sizes.push_back(size / std::sqrt(miss.var));
+  });
   if (sizes.size() < 10) return;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
@@ -188,44 +197,37 @@ void Adjustment::measure_scale(const State& state) {
 double Adjustment::correlation(const State& state) const {
   double product = 0.0;
   double square = 0.0;
-  for (std::size_t v = 0; v < views_.size(); ++v) {
-    std::optional<double> last;
-    for (const FloorLook& seen : looks_[v]) {
-      const FloorMiss miss = miss_of(map_, state.X_FR[v], seen, rules_.sigma_px);
-      const double z = miss.distance / std::sqrt(miss.var) / scale_;
-      if (std::abs(z) > 3.0) {
-        last.reset();
-        continue;
-      }
-      if (last) product += z * *last;
-      square += z * z;
-      last = z;
-    }
-  }
+  std::optional<double> last;
+  over_misses(state, [&](const FloorMiss& miss) {
+    const double z = miss.distance / std::sqrt(miss.var) / scale_;
+    const bool is_inlier = std::abs(z) < 3.0;
+    if (is_inlier && last) product += z * *last;
+    if (is_inlier) square += z * z;
+    last = is_inlier ? std::optional(z) : std::nullopt;
+  });
   const double rho = square > 0.0 ? std::clamp(product / square, 0.0, 0.95) : 0.0;
   return (1.0 + rho) / (1.0 - rho);
 }
 
+double Adjustment::go_down(double width) {
+  const Normals here = normals(state_, width);
+  const double before = cost(state_, width);
+  for (const double damping : {0.0, 1.0, 10.0, 100.0, 1000.0}) {
+    const State next = step(here, damping);
+    if (!look(next, false) || cost(next, width) > before + 1e-9) continue;
+    const double moved = std::sqrt((next.turn - state_.turn).cwiseAbs2().dot(prior_info_));
+    state_ = next;
+    return moved;
+  }
+  return 0.0;
+}
+
 // Whether it came to rest.
 bool Adjustment::descend(double width, int steps) {
-  double damping = 0.0;
   for (int i = 0; i < steps; ++i) {
     if (!look(state_, true)) return false;
     if (width < kLastWidth) measure_scale(state_);
-    const Normals here = normals(state_, width);
-    const double before = cost(state_, width);
-    for (int attempt = 0; attempt < 5; ++attempt) {
-      const State next = step(here, damping);
-      const double moved = std::sqrt((next.turn - state_.turn).cwiseAbs2().dot(prior_info_));
-      if (look(next, false) && cost(next, width) <= before + 1e-9) {
-        state_ = next;
-        damping *= 0.1;
-        if (moved < kSmallStep) return true;
-        break;
-      }
-      if (moved < kSmallStep) return true;
-      damping = damping > 0.0 ? 10.0 * damping : 1.0;
-    }
+    if (go_down(width) < kSmallStep) return true;
   }
   return false;
 }
@@ -236,16 +238,18 @@ Bundle Adjustment::run() {
   }
   Bundle bundle;
   bundle.converged = descend(0.0, kLastSteps);
-  const bool possible = look(state_, true);
-  TEAMSIGHT_EXPECT(possible);  // every accepted state was looked through
-  measure_scale(state_);
-  bundle.camera = *turned(camera_, knobs_, state_.turn);
+  bundle.camera = *turned(camera_, knobs_, state_.turn);  // every accepted state is possible
   bundle.turn = state_.turn;
-  bundle.scale = scale_;
-  bundle.cost = cost(state_, 0.0);
-  bundle.correlation = correlation(state_);
-  bundle.info = normals(state_, 0.0).info / bundle.correlation;
   for (std::size_t v = 0; v < views_.size(); ++v) views_[v].X_FR = state_.X_FR[v];
+  // A camera at the edge of what can be, a row of the table about to overtake the next, is no
+  // answer.
+  if (look(state_, true)) {
+    measure_scale(state_);
+    bundle.scale = scale_;
+    bundle.cost = cost(state_, 0.0);
+    bundle.correlation = correlation(state_);
+    bundle.info = normals(state_, 0.0).info / bundle.correlation;
+  }
   bundle.views = std::move(views_);
   return bundle;
 }

@@ -1,6 +1,7 @@
 // vision/calibration/bundle.hpp: one camera and the postures of all its views, fitted together.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>

@@ -88,12 +88,13 @@ Start Calibrator::start_with(double size) {
   return start;
 }
 
-// The picture's size as it is; others only where that leaves the points unexplained.
+// The picture's size as it is; others where that leaves the points unexplained. With few views,
+// which a bent camera can explain at a wrong place, all of them.
 std::vector<Start> Calibrator::starts() {
   std::vector<Start> starts;
   for (const double size : kSizes) {
     starts.push_back(start_with(size));
-    if (starts.front().support > kWellSupported) break;
+    if (pixels_.size() > kFewViews && starts.front().support > kWellSupported) break;
   }
   if (pixels_.size() > kFewViews) {
     std::ranges::stable_sort(starts, std::greater<>(), &Start::support);
@@ -118,6 +119,7 @@ std::optional<Bundle> Calibrator::first_round(const std::vector<Start>& starts) 
   const auto take_in = [&](BundleStart start) {
     if (start.views.empty()) return;
     Bundle bundle = adjust(map_, camera_, priors_, std::move(start), rules_.bundle);
+    if (bundle.info.size() == 0) return;
     if (!best || bundle.cost < best->cost) best = std::move(bundle);
   };
   for (const Start& start : starts) {
@@ -241,7 +243,7 @@ LineCalibration Calibrator::run() {
     return result;
   }
   const Bundle bundle = second_round(*first);
-  if (index_.empty()) {
+  if (index_.empty() || bundle.info.size() == 0) {
     result.refusal = LineRefusal::kNoPosture;
     return result;
   }

@@ -1,0 +1,90 @@
+// tools/line_views.cpp: detection through the Viewer, or reading of numbers.
+#include "tools/line_views.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "tools/viewer.hpp"
+#include "vision/scan_lines.hpp"
+
+namespace teamsight::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::runtime_error bad_line(const fs::path& path, int line, const std::string& text) {
+  return std::runtime_error(path.string() + ":" + std::to_string(line) + ": found \"" + text +
+                            "\", expected the column and row of a pixel in the image");
+}
+
+// Two numbers and nothing else.
+std::optional<vision::Pixel> pixel_in(const std::string& text) {
+  std::istringstream in(text);
+  vision::Pixel pixel;
+  std::string rest;
+  if (!(in >> pixel.u >> pixel.v) || (in >> rest)) return std::nullopt;
+  return pixel;
+}
+
+bool is_in_image(const vision::Pixel& pixel, const vision::CameraParameters& camera) {
+  return pixel.u >= 0.0 && pixel.v >= 0.0 && pixel.u <= camera.width_px - 1.0 &&
+         pixel.v <= camera.height_px - 1.0;
+}
+
+bool is_hidden(const vision::Pixel& pixel, const vision::Pixel& centre, const vision::Mask& mask) {
+  const double du = pixel.u - centre.u;
+  const double dv = pixel.v - centre.v;
+  const double radius = std::hypot(du, dv);
+  return radius < mask.inner_radius_px || radius > mask.outer_radius_px ||
+         vision::is_masked(mask, std::atan2(-dv, du));
+}
+
+std::vector<vision::Pixel> read_list(const fs::path& path, const vision::CameraParameters& camera) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": found no readable file, expected a list");
+  const vision::CameraModel model(camera);
+  std::vector<vision::Pixel> pixels;
+  std::string text;
+  for (int line = 1; std::getline(file, text); ++line) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const auto pixel = pixel_in(text);
+    if (!pixel || !is_in_image(*pixel, camera)) throw bad_line(path, line, text);
+    if (!is_hidden(*pixel, model.centre(), camera.mask)) pixels.push_back(*pixel);
+  }
+  return pixels;
+}
+
+// The pixel of the paint's middle on the floor; that of the picture lies a little farther out.
+std::vector<vision::Pixel> paint_middles(const vision::FrameObservation& seen,
+                                         const vision::CameraModel& model) {
+  std::vector<vision::Pixel> pixels;
+  for (const vision::LinePoint& point : seen.line_points) {
+    const auto pixel = model.project({point.p_R.x, point.p_R.y, 0.0});
+    if (pixel) pixels.push_back(*pixel);
+  }
+  return pixels;
+}
+
+}  // namespace
+
+std::vector<std::vector<vision::Pixel>> read_line_views(const std::vector<std::string>& files,
+                                                        const vision::CameraParameters& camera,
+                                                        const FieldModel& field) {
+  Viewer viewer(camera, field);
+  const vision::CameraModel model(camera);
+  std::vector<std::vector<vision::Pixel>> views;
+  for (const std::string& file : files) {
+    if (fs::path(file).extension() == ".txt") {
+      views.push_back(read_list(file, camera));
+    } else {
+      views.push_back(paint_middles(*viewer.look(file, {}).seen, model));
+    }
+  }
+  return views;
+}
+
+}  // namespace teamsight::tools
