@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "agent/identity_guard.hpp"
@@ -34,6 +35,16 @@ const char* to_text(vision::FrameReject reason) {
       return "frames.truncated";
   }
   return "frames.rejected";
+}
+
+// What the coach station shows; at most 95 characters.
+std::string drift_complaint(const vision::DriftReport& drift) {
+  const double towards =
+      std::atan2(drift.shift_px.y(), drift.shift_px.x()) * 180.0 / std::numbers::pi;
+  const auto tenths = std::llround(10.0 * drift.drift_px);
+  return "calibration off by " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+         " px towards " + std::to_string(std::llround(towards)) +
+         " deg: check the mirror, teamsight calibrate lines";
 }
 
 std::string in_seconds(Duration duration) {
@@ -102,6 +113,7 @@ void Agent::write(const Seen& seen) {
   posture_ = seen.observation->posture;
   exposure_ = seen.exposure;
   sees_ball_ = sees_ball(*seen.observation);
+  drift_.take(seen.observation->drift, posture_.X_FR);
   const HostTime now = bus::host_now();
   if (posture_.status != PostureStatus::kLost) {
     posture_found_ = now;
@@ -136,6 +148,7 @@ void Agent::write_state(HostTime now) {
   state.v_R = locator_->velocity(now);
   state.omega = locator_->omega(now);
   state.half_log_odds_team = locator_->team_log_odds();
+  state.calibration_drift = drift_.report().drift_px;
   state.command_acknowledged = acknowledged_;
   state.sees_ball = sees_ball_ && !state.camera_lost;
   state.frame_rate = frame_period_ > 0.0 && !state.camera_lost ? 1.0 / frame_period_ : 0.0;
@@ -193,6 +206,9 @@ std::string Agent::complaint(const SourceReport& source, HostTime now) const {
   }
   if (now - posture_found_ > kPostureMissed) {
     return "posture lost: check field file, camera file, mask and light";
+  }
+  if (drift_.report().alarm) {
+    return drift_complaint(drift_.report());
   }
   return {};
 }

@@ -15,6 +15,7 @@
 #include "geometry/identity.hpp"
 #include "process/air_share.hpp"
 #include "process/meter.hpp"
+#include "vision/line_drift.hpp"
 #include "vision/perception.hpp"
 
 namespace teamsight::agent {
@@ -88,7 +89,8 @@ class Agent {
   process::AirShare air_;
   bus::Loop* loop_{nullptr};
 
-  PostureEstimate posture_;   // of the newest frame
+  PostureEstimate posture_;  // of the newest frame
+  vision::DriftWatch drift_;
   HostTime exposure_{};       // of the newest frame; zero: none yet
   HostTime posture_found_{};  // when it last was not lost
   bool sees_ball_{false};

@@ -110,6 +110,7 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
   observation.searched_globally = result.searched_globally;
   observation.line_residuals.clear();
   observation.line_fits.clear();
+  observation.drift = {};
   if (result.estimate.status == PostureStatus::kLost) return;
   for (const LinePoint& point : observation.line_points) {
     const LineResidual residual =
@@ -117,6 +118,11 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
     observation.line_residuals.push_back(residual.distance);
     observation.line_fits.push_back(is_inlier(residual, result.scale));
   }
+  observation.drift = drift_evidence(observation.line_points,
+                                     observation.line_fits,
+                                     posture.map(),
+                                     result.estimate.X_FR,
+                                     {&rays, model.centre(), camera.mirrored});
 }
 
 void Perception::Tables::find_balls(const PixelReader& pixels) {

@@ -20,6 +20,7 @@
 #include "vision/camera_parameters.hpp"
 #include "vision/image.hpp"
 #include "vision/light.hpp"
+#include "vision/line_drift.hpp"
 #include "vision/line_points.hpp"
 #include "vision/obstacle_detector.hpp"
 #include "vision/posture.hpp"
@@ -52,6 +53,7 @@ struct FrameObservation {
   std::vector<double> line_residuals;
   /// Whether each line point counted as an inlier, given its own uncertainty. Empty when lost.
   std::vector<bool> line_fits;
+  DriftEvidence drift;            ///< for a DriftWatch; without points when lost
   bool searched_globally{false};  ///< the posture was found without, or against, the prior
   Light light{Light::kUnknown};
 };

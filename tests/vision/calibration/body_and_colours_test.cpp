@@ -1,0 +1,201 @@
+// tests/vision/calibration/body_and_colours_test.cpp: masks from drawn sequences, classes from
+// drawn colours.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "vision/calibration/body_mask.hpp"
+#include "vision/calibration/colour_samples.hpp"
+
+namespace teamsight::vision {
+namespace {
+
+constexpr std::uint32_t kWidth = 160;
+constexpr std::uint32_t kHeight = 120;
+constexpr Pixel kCentre{80.0, 60.0};
+
+struct Bgr {
+  int b{0};
+  int g{0};
+  int r{0};
+};
+
+/// A picture of bytes, drawn pixel by pixel.
+class Canvas {
+ public:
+  template <class Paint>
+  explicit Canvas(const Paint& paint) {
+    for (std::uint32_t v = 0; v < kHeight; ++v) {
+      for (std::uint32_t u = 0; u < kWidth; ++u) {
+        const Bgr colour = paint(u, v);
+        for (const int channel : {colour.b, colour.g, colour.r}) {
+          bytes_.push_back(static_cast<std::uint8_t>(std::clamp(channel, 0, 255)));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] ImageView view() const { return {bytes_, kWidth, kHeight, PixelFormat::kBgr}; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+ColourParameters green_only() {
+  ColourParameters colours;
+  colours.samples = {{ColourClass::kGreen, 101, 94, 24}};
+  return colours;
+}
+
+// A frame of a driving robot: body inside 15 px, a strut towards the right, stripes that move.
+Canvas frame_of(int number, std::mt19937& random, bool is_driving = true) {
+  std::normal_distribution<double> noise(0.0, 2.0);
+  return Canvas([&](std::uint32_t u, std::uint32_t v) {
+    const double du = u - kCentre.u;
+    const double dv = v - kCentre.v;
+    const bool is_body = std::hypot(du, dv) < 15.0 || (du > 0.0 && std::abs(dv) < 0.08 * du);
+    const auto n = static_cast<int>(std::lround(noise(random)));
+    if (is_body) return Bgr{20 + n, 20 + n, 20 + n};
+    const int phase = static_cast<int>(u + v) + (is_driving ? 7 * number : 0);
+    if (phase % 40 < 12) return Bgr{220 + n, 220 + n, 220 + n};
+    return Bgr{40 + n, 120 + n, 40 + n};
+  });
+}
+
+TEST(BodyWatch, FindsTheDiscAndTheStrut) {
+  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) watch.add(frame_of(i, random).view());
+
+  const auto body = watch.body(ColourClasses(green_only()));
+
+  ASSERT_TRUE(body);
+  EXPECT_NEAR(body->inner_radius_px, 14.0, 4.0);
+  ASSERT_FALSE(body->patches.empty());
+  for (const BodyPatch& patch : body->patches) {
+    const double middle = std::remainder(0.5 * (patch.from + patch.to), 2.0 * std::numbers::pi);
+    EXPECT_LT(std::abs(middle), 0.15);
+    EXPECT_GT(patch.outer_px, 50.0);
+  }
+}
+
+TEST(BodyWatch, RefusesARobotThatStands) {
+  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  std::mt19937 random(2);
+  const Canvas grey([](std::uint32_t, std::uint32_t) { return Bgr{90, 90, 90}; });
+  for (int i = 0; i < 20; ++i) watch.add(grey.view());
+
+  const auto body = watch.body(ColourClasses(green_only()));
+
+  ASSERT_FALSE(body);
+  EXPECT_EQ(body.error(), BodyFailure::kNotMoving);
+}
+
+TEST(BodyWatch, RefusesNineFrames) {
+  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  std::mt19937 random(3);
+  for (int i = 0; i < 9; ++i) watch.add(frame_of(i, random).view());
+
+  EXPECT_EQ(watch.body(ColourClasses(green_only())).error(), BodyFailure::kTooFew);
+}
+
+LabelledColours label(ColourClass colour, SampledColour middle) {
+  LabelledColours result{colour, {}};
+  for (int i = -3; i <= 3; ++i) {
+    result.pixels.push_back({static_cast<std::uint8_t>(middle.y + i),
+                             static_cast<std::uint8_t>(middle.u + i),
+                             static_cast<std::uint8_t>(middle.v - i)});
+  }
+  return result;
+}
+
+TEST(ColourSamples, ReplacesWhatWasLabelledAndKeepsTheRest) {
+  ColourParameters before = green_only();
+  before.samples.push_back({ColourClass::kCyan, 163, 51, 30});
+
+  const auto colours = colours_from(before,
+                                    {label(ColourClass::kGreen, {80, 110, 100}),
+                                     label(ColourClass::kWhite, {200, 128, 128}),
+                                     label(ColourClass::kBall, {140, 60, 200})});
+
+  ASSERT_TRUE(colours);
+  ASSERT_EQ(colours->samples.size(), 3U);
+  EXPECT_EQ(colours->samples[0], (ColourSample{ColourClass::kCyan, 163, 51, 30}));
+  EXPECT_EQ(colours->samples[1].colour, ColourClass::kGreen);
+  EXPECT_EQ(colours->samples[1].u, 110);
+  EXPECT_EQ(colours->samples[2].v, 200);
+  EXPECT_NEAR(colours->white_min_y, 140, 4);
+}
+
+TEST(ColourSamples, RefusesClassesThatLookTheSame) {
+  const auto colours = colours_from(green_only(), {label(ColourClass::kCyan, {90, 102, 95})});
+
+  ASSERT_FALSE(colours);
+  EXPECT_EQ(colours.error().a, ColourClass::kGreen);
+  EXPECT_EQ(colours.error().b, ColourClass::kCyan);
+}
+
+// Carpet with lines, seen in light of this colour.
+Canvas field_in_light(double blue, double green, double red) {
+  return Canvas([=](std::uint32_t u, std::uint32_t v) {
+    const bool is_line = (u + v) % 30 < 5;
+    const Bgr paint = is_line ? Bgr{200, 200, 200} : Bgr{40, 120, 40};
+    return Bgr{static_cast<int>(blue * paint.b),
+               static_cast<int>(green * paint.g),
+               static_cast<int>(red * paint.r)};
+  });
+}
+
+TEST(FieldColours, FindsCarpetAndPaintInRedLight) {
+  const Canvas picture = field_in_light(0.7, 1.0, 1.15);
+
+  const auto found = field_colours(picture.view(), kCentre, 10.0, 58.0);
+
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->white.v, 134);
+  EXPECT_LT(found->white.u, 118);
+  EXPECT_LT(found->green.v, 118);
+}
+
+TEST(FieldColours, CarriesTheBallIntoRedLight) {
+  // What the ball looks like in that light, by hand.
+  const auto seen = [](double blue, double green, double red) {
+    const Canvas ball([=](std::uint32_t, std::uint32_t) {
+      return Bgr{
+          static_cast<int>(blue * 20), static_cast<int>(green * 110), static_cast<int>(red * 200)};
+    });
+    return colours_around(ball.view(), kCentre, 0.0).front();
+  };
+  const SampledColour before = seen(1.0, 1.0, 1.0);
+  const SampledColour now = seen(0.7, 1.0, 1.15);
+  ColourParameters colours = green_only();
+  colours.samples.push_back({ColourClass::kBall, before.u, before.v, 20});
+  const auto field = field_colours(field_in_light(0.7, 1.0, 1.15).view(), kCentre, 10.0, 58.0);
+  ASSERT_TRUE(field);
+
+  const ColourParameters carried = balanced(colours, *field);
+
+  const auto off = [&](const ColourSample& sample) {
+    return std::hypot(sample.u - now.u, sample.v - now.v);
+  };
+  EXPECT_LT(off(carried.samples[1]), 8.0);
+  EXPECT_GT(off(colours.samples[1]), off(carried.samples[1]));
+  EXPECT_EQ(carried.samples[0].u, field->green.u);
+}
+
+TEST(FieldColours, FindsNoneInAGreyRoom) {
+  const Canvas room([](std::uint32_t u, std::uint32_t) {
+    const int y = 60 + static_cast<int>(u) % 60;
+    return Bgr{y, y, y};
+  });
+
+  EXPECT_FALSE(field_colours(room.view(), kCentre, 10.0, 58.0));
+}
+
+}  // namespace
+}  // namespace teamsight::vision

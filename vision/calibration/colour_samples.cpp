@@ -1,0 +1,258 @@
+// vision/calibration/colour_samples.cpp: medians, quantiles, gains.
+#include "vision/calibration/colour_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+
+#include <Eigen/Core>
+
+#include "geometry/expect.hpp"
+#include "vision/pixel_reader.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr double kLeastRadius = 8.0;  // of a disc: chroma noise of any camera
+constexpr double kMostRadius = 60.0;
+constexpr double kMargin = 1.5;  // of the scatter
+constexpr double kApart = 6.0;   // samples nearer than this are the same colour
+
+template <class Get>
+double quantile(const std::vector<SampledColour>& pixels, double share, const Get& get) {
+  std::vector<double> values(pixels.size());
+  std::ranges::transform(pixels, values.begin(), get);
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+std::uint8_t byte(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+SampledColour median(const std::vector<SampledColour>& pixels) {
+  return {byte(quantile(pixels, 0.5, [](const SampledColour& p) { return double{1} * p.y; })),
+          byte(quantile(pixels, 0.5, [](const SampledColour& p) { return double{1} * p.u; })),
+          byte(quantile(pixels, 0.5, [](const SampledColour& p) { return double{1} * p.v; }))};
+}
+
+ColourSample disc_of(const LabelledColours& label) {
+  const SampledColour middle = median(label.pixels);
+  const double scatter = quantile(label.pixels, 0.9, [&](const SampledColour& p) {
+    return std::hypot(p.u - middle.u, p.v - middle.v);
+  });
+  const double radius = std::clamp(kMargin * scatter, kLeastRadius, kMostRadius);
+  return {label.colour, middle.u, middle.v, byte(radius)};
+}
+
+bool is_chromatic(ColourClass colour) {
+  return colour != ColourClass::kWhite && colour != ColourClass::kBlack;
+}
+
+std::optional<ColourConflict> first_conflict(const std::vector<ColourSample>& samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = std::hypot(samples[i].u - samples[j].u, samples[i].v - samples[j].v);
+      if (samples[i].colour == samples[j].colour || distance >= kApart) continue;
+      return ColourConflict{samples[j].colour, samples[i].colour, distance};
+    }
+  }
+  return std::nullopt;
+}
+
+const LabelledColours* labelled(const std::vector<LabelledColours>& labels, ColourClass colour) {
+  const auto found = std::ranges::find(labels, colour, &LabelledColours::colour);
+  return found == labels.end() ? nullptr : &*found;
+}
+
+// Half way between the carpet and white (or black), if both were labelled.
+void set_luminance(const std::vector<LabelledColours>& labels, ColourParameters& colours) {
+  const auto y = [](const SampledColour& p) {
+    return static_cast<double>(p.y);
+  };
+  const LabelledColours* green = labelled(labels, ColourClass::kGreen);
+  if (green == nullptr) return;
+  if (const LabelledColours* white = labelled(labels, ColourClass::kWhite)) {
+    colours.white_min_y =
+        byte(0.5 * (quantile(green->pixels, 0.9, y) + quantile(white->pixels, 0.1, y)));
+  }
+  if (const LabelledColours* black = labelled(labels, ColourClass::kBlack)) {
+    colours.black_max_y =
+        byte(0.5 * (quantile(green->pixels, 0.1, y) + quantile(black->pixels, 0.9, y)));
+  }
+}
+
+// ---- light -------------------------------------------------------------------------------------
+
+/// Red, green, blue of BT.601 full range; not clamped.
+Eigen::Vector3d rgb_of(double y, double u, double v) {
+  const double cb = u - 128.0;
+  const double cr = v - 128.0;
+  return {y + 1.402 * cr, y - 0.344136 * cb - 0.714136 * cr, y + 1.772 * cb};
+}
+
+Eigen::Vector2d chroma_of(const Eigen::Vector3d& rgb) {
+  return {128.0 - 0.168736 * rgb.x() - 0.331264 * rgb.y() + 0.5 * rgb.z(),
+          128.0 + 0.5 * rgb.x() - 0.418688 * rgb.y() - 0.081312 * rgb.z()};
+}
+
+// A colour of that chroma that a camera can show: as bright as the middle, moved into the cube.
+Eigen::Vector3d typical_rgb(const ColourSample& sample) {
+  Eigen::Vector3d rgb = rgb_of(128.0, sample.u, sample.v);
+  rgb.array() -= std::min(0.0, rgb.minCoeff());
+  rgb.array() -= std::max(0.0, rgb.maxCoeff() - 255.0);
+  return rgb.cwiseMax(0.0);
+}
+
+// ---- carpet and paint --------------------------------------------------------------------------
+
+constexpr int kBin = 4;  // of chroma
+constexpr int kBins = 256 / kBin;
+constexpr double kCarpetShare = 0.1;  // of the floor, around the most frequent chroma
+constexpr int kNear = 10;             // of chroma: this is carpet
+constexpr int kBrighter = 35;         // grey levels over the carpet
+constexpr int kSaturated = 245;
+constexpr std::size_t kFewestPaint = 50;  // pixels
+
+std::vector<SampledColour> floor_pixels(const ImageView& image,
+                                        const Pixel& centre,
+                                        double inner_px,
+                                        double outer_px) {
+  const PixelReader pixels(image);
+  std::vector<SampledColour> floor;
+  for (std::uint32_t v = 0; v < image.height_px; ++v) {
+    for (std::uint32_t u = 0; u < image.width_px; ++u) {
+      const double radius = std::hypot(u - centre.u, v - centre.v);
+      if (radius < inner_px || radius > outer_px) continue;
+      const std::size_t i = std::size_t{v} * image.width_px + u;
+      const Chroma chroma = pixels.chroma(i);
+      floor.push_back({pixels.luminance(i), chroma.u, chroma.v});
+    }
+  }
+  return floor;
+}
+
+// Grey is no carpet, paint, body and people are grey; nor is what is more red than green.
+bool may_be_carpet(int u, int v) {
+  return v < 124 && std::hypot(u - 128, v - 128) > 8.0;
+}
+
+// The floor's pixels around its most frequent chroma; none if that is not frequent at all.
+std::vector<SampledColour> carpet_in(const std::vector<SampledColour>& floor) {
+  std::array<std::size_t, std::size_t{kBins} * kBins> votes{};
+  for (const SampledColour& p : floor) {
+    if (may_be_carpet(p.u, p.v)) ++votes.at(std::size_t{p.u} / kBin * kBins + p.v / kBin);
+  }
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(votes) - votes.begin());
+  const int u = static_cast<int>(best / kBins) * kBin + kBin / 2;
+  const int v = static_cast<int>(best % kBins) * kBin + kBin / 2;
+  std::vector<SampledColour> carpet;
+  std::ranges::copy_if(floor, std::back_inserter(carpet), [&](const SampledColour& p) {
+    return std::abs(p.u - u) < kNear && std::abs(p.v - v) < kNear && may_be_carpet(p.u, p.v);
+  });
+  const double least = kCarpetShare * static_cast<double>(floor.size());
+  if (static_cast<double>(carpet.size()) < least) carpet.clear();
+  return carpet;
+}
+
+std::vector<SampledColour> paint_in(const std::vector<SampledColour>& floor,
+                                    const SampledColour& green) {
+  std::vector<SampledColour> paint;
+  std::ranges::copy_if(floor, std::back_inserter(paint), [&](const SampledColour& p) {
+    const double off = std::hypot(p.u - green.u, p.v - green.v);
+    return p.y > green.y + kBrighter && p.y < kSaturated && off > kNear / 2;
+  });
+  return paint;
+}
+
+}  // namespace
+
+std::vector<SampledColour> colours_around(const ImageView& image,
+                                          const Pixel& place,
+                                          double radius_px) {
+  const PixelReader pixels(image);
+  const auto reach = static_cast<int>(std::ceil(radius_px));
+  const auto middle_u = static_cast<int>(std::lround(place.u));
+  const auto middle_v = static_cast<int>(std::lround(place.v));
+  std::vector<SampledColour> found;
+  for (int v = middle_v - reach; v <= middle_v + reach; ++v) {
+    for (int u = middle_u - reach; u <= middle_u + reach; ++u) {
+      const bool is_inside = u >= 0 && v >= 0 && u < static_cast<int>(image.width_px) &&
+                             v < static_cast<int>(image.height_px) &&
+                             std::hypot(u - place.u, v - place.v) <= radius_px + 0.5;
+      if (!is_inside) continue;
+      const std::size_t i =
+          static_cast<std::size_t>(v) * image.width_px + static_cast<std::size_t>(u);
+      const Chroma chroma = pixels.chroma(i);
+      found.push_back({pixels.luminance(i), chroma.u, chroma.v});
+    }
+  }
+  return found;
+}
+
+Result<ColourParameters, ColourConflict> colours_from(const ColourParameters& before,
+                                                      const std::vector<LabelledColours>& labels) {
+  ColourParameters colours = before;
+  for (const LabelledColours& label : labels) {
+    TEAMSIGHT_EXPECT(!label.pixels.empty());
+    if (!is_chromatic(label.colour)) continue;
+    std::erase_if(colours.samples,
+                  [&](const ColourSample& sample) { return sample.colour == label.colour; });
+  }
+  for (const LabelledColours& label : labels) {
+    if (is_chromatic(label.colour)) colours.samples.push_back(disc_of(label));
+  }
+  if (const auto conflict = first_conflict(colours.samples)) return failure(*conflict);
+  set_luminance(labels, colours);
+  if (colours.black_max_y >= colours.white_min_y) {
+    return failure(ColourConflict{ColourClass::kBlack, ColourClass::kWhite, 0.0});
+  }
+  return colours;
+}
+
+std::optional<FieldColours> field_colours(const ImageView& image,
+                                          const Pixel& centre,
+                                          double inner_px,
+                                          double outer_px) {
+  const std::vector<SampledColour> floor = floor_pixels(image, centre, inner_px, outer_px);
+  const std::vector<SampledColour> carpet = carpet_in(floor);
+  if (carpet.empty()) return std::nullopt;
+  FieldColours found;
+  found.green = median(carpet);
+  std::vector<SampledColour> paint = paint_in(floor, found.green);
+  if (paint.size() < kFewestPaint) return std::nullopt;
+  // The brightest third: what is less bright is mixed with carpet.
+  std::ranges::sort(paint, std::greater<>(), &SampledColour::y);
+  paint.resize(std::max(kFewestPaint, paint.size() / 3));
+  found.white = median(paint);
+  return found;
+}
+
+ColourParameters balanced(const ColourParameters& before, const FieldColours& now) {
+  const Eigen::Vector3d white = rgb_of(now.white.y, now.white.u, now.white.v).cwiseMax(1.0);
+  const Eigen::Vector3d gains = white / white.mean();
+  ColourParameters colours = before;
+  for (ColourSample& sample : colours.samples) {
+    const Eigen::Vector2d chroma = chroma_of(typical_rgb(sample).cwiseProduct(gains));
+    sample.u = byte(chroma.x());
+    sample.v = byte(chroma.y());
+  }
+  const auto is_green = [](const ColourSample& sample) {
+    return sample.colour == ColourClass::kGreen;
+  };
+  const auto green = std::ranges::find_if(colours.samples, is_green);
+  ColourSample carpet{ColourClass::kGreen, now.green.u, now.green.v, 20};
+  if (green != colours.samples.end()) carpet.radius = green->radius;
+  std::erase_if(colours.samples, is_green);
+  colours.samples.insert(colours.samples.begin(), carpet);
+  colours.white_min_y = byte(0.5 * (now.green.y + now.white.y));
+  colours.black_max_y = std::min(colours.black_max_y, byte(0.6 * now.green.y));
+  return colours;
+}
+
+}  // namespace teamsight::vision

@@ -1,0 +1,78 @@
+// vision/calibration/colour_samples.hpp: colour classes from clicked pixels, and from the field's
+// own white and green.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/result.hpp"
+#include "vision/camera_model.hpp"
+#include "vision/camera_parameters.hpp"
+#include "vision/image.hpp"
+
+namespace teamsight::vision {
+
+/// A pixel's colour: luminance and chroma, BT.601 full range.
+struct SampledColour {
+  std::uint8_t y{0};
+  std::uint8_t u{128};
+  std::uint8_t v{128};
+};
+
+/// Pixels that somebody says show this class; kWhite and kBlack are allowed.
+struct LabelledColours {
+  ColourClass colour{ColourClass::kNone};
+  std::vector<SampledColour> pixels;
+};
+
+/// Reads the pixels within `radius_px` of a place.
+///
+/// @return nothing if none of them is in the image
+[[nodiscard]] std::vector<SampledColour> colours_around(const ImageView& image,
+                                                        const Pixel& place,
+                                                        double radius_px);
+
+/// Which two classes look the same.
+struct ColourConflict {
+  ColourClass a{ColourClass::kNone};
+  ColourClass b{ColourClass::kNone};
+  double distance{0.0};  ///< of their samples in the chroma plane
+};
+
+/// Makes the classes of a camera from labelled pixels.
+///
+/// Each class that was labelled gets one disc: the median chroma, as wide as nine tenths of its
+/// pixels scatter and a half more; classes that were not labelled keep their samples. White and
+/// black set the luminance borders, half way to the carpet's. Where samples of two classes
+/// overlap, the nearer one counts; nearer than the scatter they cannot be told apart.
+///
+/// @return the classes, or the first two that look the same
+[[nodiscard]] Result<ColourParameters, ColourConflict> colours_from(
+    const ColourParameters& before, const std::vector<LabelledColours>& labels);
+
+/// The two colours every field has.
+struct FieldColours {
+  SampledColour green;  ///< median of the carpet
+  SampledColour white;  ///< median of the paint
+};
+
+/// Finds the carpet as the most frequent chroma of the floor, and the paint as what is much
+/// brighter and not saturated, without asking any class.
+///
+/// @param inner_px, outer_px  radii between which the image shows floor
+/// @return nothing if no chroma stands out or nothing is brighter than it
+[[nodiscard]] std::optional<FieldColours> field_colours(const ImageView& image,
+                                                        const Pixel& centre,
+                                                        double inner_px,
+                                                        double outer_px);
+
+/// Carries classes over to another light: the gains of red, green and blue that take grey to the
+/// white that is seen now; the green that is seen now replaces the carpet's sample.
+///
+/// @param before  for a light in which white is grey (u = v = 128)
+[[nodiscard]] ColourParameters balanced(const ColourParameters& before, const FieldColours& now);
+
+}  // namespace teamsight::vision

@@ -1,0 +1,113 @@
+// vision/line_drift.cpp: normal equations of a frame, and a test over frames.
+#include "vision/line_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "geometry/angle.hpp"
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr std::uint16_t kFewestPoints = 40;
+constexpr double kFewestFrames = 12.0;
+constexpr double kClears = 0.7;  // of the limit
+constexpr int kUnknowns = 3;
+
+// Metres on the floor, in R, per px of (too large, shifted right, shifted up) at a point.
+Eigen::Matrix<double, 2, 3> floor_slopes(const LinePoint& point, const DriftGeometry& geometry) {
+  const RayTable& rays = *geometry.rays;
+  const auto column = static_cast<std::uint32_t>(std::clamp(point.u_px, 0.0, rays.width() - 1.0));
+  const auto row = static_cast<std::uint32_t>(std::clamp(point.v_px, 0.0, rays.height() - 1.0));
+  const PixelRay& ray = rays.at(column, row);
+  const double direction =
+      std::atan2(geometry.centre.v - point.v_px, point.u_px - geometry.centre.u);
+  const double c = std::cos(direction);
+  const double s = std::sin(direction);
+  const Eigen::Vector2d p_R = point.p_R.vector();
+  const Eigen::Vector2d away = p_R / std::max(p_R.norm(), 1e-6);
+  // Counter-clockwise in the picture, on the floor.
+  const Eigen::Vector2d around =
+      (geometry.mirrored ? -1.0 : 1.0) * Eigen::Vector2d(-away.y(), away.x());
+  const Eigen::Vector2d outwards = static_cast<double>(ray.radial_footprint) * away;
+  const Eigen::Vector2d sideways = static_cast<double>(ray.tangential_footprint) * around;
+  Eigen::Matrix<double, 2, 3> slopes;
+  slopes.col(0) = outwards;
+  slopes.col(1) = c * outwards - s * sideways;
+  slopes.col(2) = s * outwards + c * sideways;
+  return slopes;
+}
+
+}  // namespace
+
+DriftEvidence drift_evidence(std::span<const LinePoint> points,
+                             const std::vector<bool>& fits,
+                             const LineMap& map,
+                             const Pose<Field, Robot>& X_FR,
+                             const DriftGeometry& geometry) {
+  Eigen::Matrix3d posture = 1e-6 * Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d posture_vector = Eigen::Vector3d::Zero();
+  DriftEvidence evidence;
+  const Eigen::Matrix2d R_FR = X_FR.rotation();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!fits[i]) continue;
+    const Eigen::Vector2d p_RL_F = R_FR * points[i].p_R.vector();
+    const NearestLine nearest = map.nearest(X_FR.origin().vector() + p_RL_F);
+    const Eigen::Vector2d& n = nearest.normal_F;
+    const Eigen::Vector2d n_R = R_FR.transpose() * n;
+    const double weight = 1.0 / (n_R.dot(points[i].cov_R * n_R) + 1e-6);
+    const Eigen::Vector3d by_posture{n.x(), n.y(), n.dot(Eigen::Vector2d(-p_RL_F.y(), p_RL_F.x()))};
+    const Eigen::Vector3d by_drift = floor_slopes(points[i], geometry).transpose() * n_R;
+    posture += weight * by_posture * by_posture.transpose();
+    posture_vector += weight * nearest.distance * by_posture;
+    cross += weight * by_drift * by_posture.transpose();
+    evidence.info += weight * by_drift * by_drift.transpose();
+    evidence.vector += weight * nearest.distance * by_drift;
+    ++evidence.points;
+  }
+  if (evidence.points < kFewestPoints) return {};
+  const Eigen::Matrix3d gain = cross * posture.inverse();
+  evidence.info -= gain * cross.transpose();
+  evidence.vector -= gain * posture_vector;
+  return evidence;
+}
+
+void DriftWatch::take(const DriftEvidence& evidence, const Pose<Field, Robot>& X_FR) {
+  if (evidence.points == 0) return;
+  const bool is_new = !last_ ||
+                      (X_FR.origin().vector() - last_->origin().vector()).norm() > rules_.apart ||
+                      std::abs(angle_difference(X_FR.theta(), last_->theta())) > rules_.apart;
+  if (!is_new) return;
+  last_ = X_FR;
+  const Eigen::LDLT<Eigen::Matrix3d> factors(evidence.info);
+  if (!(factors.vectorD().minCoeff() > 1e-6)) return;
+  const double kept = 1.0 - 1.0 / rules_.memory;
+  info_ = kept * info_ + evidence.info;
+  vector_ = kept * vector_ + evidence.vector;
+  square_ = kept * square_ + evidence.vector.dot(factors.solve(evidence.vector));
+  frames_ = kept * frames_ + 1.0;
+  judge();
+}
+
+void DriftWatch::judge() {
+  const Eigen::Vector3d estimate = info_.ldlt().solve(vector_);
+  const double explained = vector_.dot(estimate);
+  report_.size_px = estimate.x();
+  report_.shift_px = estimate.tail<2>();
+  report_.drift_px = std::hypot(estimate.x(), std::sqrt(0.5) * report_.shift_px.norm());
+  if (frames_ < kFewestFrames) return;
+  // What the frames' estimates scatter about the common one, over what white noise would.
+  const double scatter = (square_ - explained) / (kUnknowns * (frames_ - 1.0));
+  const double chi_square = explained / std::max(scatter, 1e-3);
+  const bool is_sure = chi_square > chi_square_gate(kUnknowns, rules_.confidence);
+  const double limit = report_.alarm ? kClears * rules_.limit_px : rules_.limit_px;
+  report_.alarm = is_sure && report_.drift_px > limit;
+}
+
+}  // namespace teamsight::vision
