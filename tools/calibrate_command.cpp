@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/calibrate_colours.hpp"
 #include "tools/calibrate_lines.hpp"
+#include "tools/calibrate_mask.hpp"
 #include "tools/calibrate_rings.hpp"
 
 namespace teamsight::tools {
@@ -11,7 +13,9 @@ namespace teamsight::tools {
 void add_calibrate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("calibrate", "Makes camera files from pictures");
   command->require_subcommand(1);
+  add_calibrate_colours(*command, exit_code);
   add_calibrate_lines(*command, exit_code);
+  add_calibrate_mask(*command, exit_code);
   add_calibrate_rings(*command, exit_code);
 }
 

@@ -46,21 +46,22 @@ std::vector<double> growing_distances(const std::string& text) {
   return distances;
 }
 
+// All but the centre.
 vision::RingRules rules_of(const RingOptions& options,
                            const vision::CameraParameters& camera,
-                           const vision::RadialTable& table,
-                           const ImageFile& picture) {
+                           const vision::RadialTable& table) {
   vision::RingRules rules;
   rules.distances = growing_distances(options.distances);
   rules.sectors = camera.mask.sectors;
   rules.mirror_height = table.mirror_height;
   rules.inner_radius_px = std::max({camera.mask.inner_radius_px, options.inner_px, 20.0});
-  rules.centre = {0.5 * picture.width_px, 0.5 * picture.height_px};
-  if (!options.centre.empty()) {
-    const std::vector<double> centre = read_numbers("--centre", options.centre, 2);
-    rules.centre = {centre[0], centre[1]};
-  }
   return rules;
+}
+
+vision::Pixel centre_of(const RingOptions& options, const ImageFile& picture) {
+  if (options.centre.empty()) return {0.5 * picture.width_px, 0.5 * picture.height_px};
+  const std::vector<double> centre = read_numbers("--centre", options.centre, 2);
+  return {centre[0], centre[1]};
 }
 
 ordered_json report(const std::string& image, const vision::RingCalibration& calibration) {
@@ -101,9 +102,10 @@ int calibrate_rings(const RingOptions& options) {
   if (table == nullptr) {
     throw std::runtime_error(options.base + ": mirror: found profile, expected radial_table");
   }
+  vision::RingRules rules = rules_of(options, camera, *table);
   const ImageFile picture = read_grey_picture(options.image);
-  const auto calibration =
-      vision::calibrate_rings(picture.view(), rules_of(options, camera, *table, picture));
+  rules.centre = centre_of(options, picture);
+  const auto calibration = vision::calibrate_rings(picture.view(), rules);
   if (!calibration) {
     std::cerr << "teamsight: " << options.image << ": fewer than three rings found\n";
     return kNo;

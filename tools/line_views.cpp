@@ -58,7 +58,8 @@ std::vector<vision::Pixel> read_list(const fs::path& path, const vision::CameraP
   return pixels;
 }
 
-// The pixel of the paint's middle on the floor; that of the picture lies a little farther out.
+}  // namespace
+
 std::vector<vision::Pixel> paint_middles(const vision::FrameObservation& seen,
                                          const vision::CameraModel& model) {
   std::vector<vision::Pixel> pixels;
@@ -68,8 +69,6 @@ std::vector<vision::Pixel> paint_middles(const vision::FrameObservation& seen,
   }
   return pixels;
 }
-
-}  // namespace
 
 std::vector<std::vector<vision::Pixel>> read_line_views(const std::vector<std::string>& files,
                                                         const vision::CameraParameters& camera,

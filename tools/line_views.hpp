@@ -8,6 +8,7 @@
 #include "geometry/field_model.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/camera_parameters.hpp"
+#include "vision/perception.hpp"
 
 namespace teamsight::tools {
 
@@ -23,5 +24,10 @@ namespace teamsight::tools {
     const std::vector<std::string>& files,
     const vision::CameraParameters& camera,
     const FieldModel& field);
+
+/// The pixels of the paint's middle on the floor, as a frame's line points have it; that of the
+/// picture, which is squeezed outwards, lies a little farther in.
+[[nodiscard]] std::vector<vision::Pixel> paint_middles(const vision::FrameObservation& seen,
+                                                       const vision::CameraModel& model);
 
 }  // namespace teamsight::tools

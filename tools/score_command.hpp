@@ -8,6 +8,10 @@ namespace teamsight::tools {
 /// Adds `score` with a subcommand for each thing that can be scored.
 void add_score_command(CLI::App& app, int& exit_code);
 
+/// Adds `score calibrate`: one JSON line per robot with a bent mirror, and one for all. Exit code 1
+/// if a robot's floor stays off by more than wanted, 2 on bad input.
+void add_score_calibrate_command(CLI::App& score, int& exit_code);
+
 /// Adds `score locate`: one JSON line per case and method on stdout, tables on stderr. Exit code 0,
 /// 2 on bad input.
 void add_score_locate_command(CLI::App& score, int& exit_code);

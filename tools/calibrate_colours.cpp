@@ -1,0 +1,211 @@
+// tools/calibrate_colours.cpp: colour classes from labelled pixels and from the field's own light.
+#include "tools/calibrate_colours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "settings/load.hpp"
+#include "tools/image_file.hpp"
+#include "tools/number_list.hpp"
+#include "vision/calibration/colour_samples.hpp"
+
+namespace teamsight::tools {
+
+namespace {
+
+using nlohmann::ordered_json;
+using vision::ColourClass;
+
+constexpr int kNo = 1;
+constexpr double kClickRadius = 2.0;  // px around a clicked pixel
+
+struct ColourOptions {
+  std::string base;
+  std::string out;
+  std::string labels;
+  std::vector<std::string> samples;
+  std::string image;
+  bool balance{false};
+};
+
+/// One place in an image that shows a class.
+struct Click {
+  std::string image;
+  ColourClass colour{ColourClass::kNone};
+  vision::Pixel place;
+  double radius_px{kClickRadius};
+};
+
+constexpr std::array<std::pair<std::string_view, ColourClass>, 9> kNames{
+    {{"GREEN", ColourClass::kGreen},
+     {"BALL", ColourClass::kBall},
+     {"BLUE", ColourClass::kBlue},
+     {"YELLOW", ColourClass::kYellow},
+     {"MAGENTA", ColourClass::kMagenta},
+     {"CYAN", ColourClass::kCyan},
+     {"RED", ColourClass::kRed},
+     {"WHITE", ColourClass::kWhite},
+     {"BLACK", ColourClass::kBlack}}};
+
+ColourClass class_named(const std::string& where, std::string_view name) {
+  for (const auto& [known, colour] : kNames) {
+    if (known == name) return colour;
+  }
+  throw std::runtime_error(where + ": found class \"" + std::string(name) +
+                           "\", expected one of GREEN, BALL, BLUE, YELLOW, MAGENTA, CYAN, RED, "
+                           "WHITE, BLACK");
+}
+
+std::string_view name_of(ColourClass colour) {
+  for (const auto& [known, value] : kNames) {
+    if (value == colour) return known;
+  }
+  return "NONE";
+}
+
+// CLASS:u_px,v_px or CLASS:u_px,v_px,radius_px
+Click click_of(const std::string& text, const std::string& image) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || image.empty()) {
+    throw std::runtime_error("--sample: found \"" + text +
+                             "\", expected CLASS:u_px,v_px[,radius_px] and --image");
+  }
+  const std::vector<double> numbers = read_numbers("--sample", text.substr(colon + 1));
+  if (numbers.size() != 2 && numbers.size() != 3) {
+    throw std::runtime_error("--sample: found \"" + text +
+                             "\", expected two or three numbers after the class");
+  }
+  Click click{image, class_named("--sample", text.substr(0, colon)), {numbers[0], numbers[1]}};
+  if (numbers.size() == 3) click.radius_px = numbers[2];
+  return click;
+}
+
+// [{"image": FILE, "class": NAME, "u_px": N, "v_px": N, "r_px": N}, ...]
+std::vector<Click> clicks_in(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": found no readable file, expected JSON");
+  std::vector<Click> clicks;
+  try {
+    for (const auto& entry : nlohmann::json::parse(file)) {
+      clicks.push_back({entry.at("image").get<std::string>(),
+                        class_named(path, entry.at("class").get<std::string>()),
+                        {entry.at("u_px").get<double>(), entry.at("v_px").get<double>()},
+                        entry.value("r_px", kClickRadius)});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(path + ": found " + error.what() +
+                             ", expected a list of image, class, u_px, v_px and r_px");
+  }
+  return clicks;
+}
+
+void add_pixels(const Click& click,
+                const vision::CameraParameters& camera,
+                std::vector<vision::LabelledColours>& labels) {
+  const ImageFile frame = read_image(click.image, camera);
+  const auto pixels = vision::colours_around(frame.view(), click.place, click.radius_px);
+  if (pixels.empty()) {
+    throw std::runtime_error(click.image + ": found a sample beside the image, expected one in it");
+  }
+  const auto same = std::find_if(labels.begin(), labels.end(), [&](const auto& label) {
+    return label.colour == click.colour;
+  });
+  if (same == labels.end()) {
+    labels.push_back({click.colour, pixels});
+  } else {
+    same->pixels.insert(same->pixels.end(), pixels.begin(), pixels.end());
+  }
+}
+
+ordered_json report(const vision::ColourParameters& colours) {
+  ordered_json line;
+  line["white_min_y"] = colours.white_min_y;
+  line["black_max_y"] = colours.black_max_y;
+  line["samples"] = ordered_json::array();
+  for (const vision::ColourSample& sample : colours.samples) {
+    line["samples"].push_back({{"class", name_of(sample.colour)},
+                               {"u", sample.u},
+                               {"v", sample.v},
+                               {"radius", sample.radius}});
+  }
+  return line;
+}
+
+// The classes of the base, carried over to the light of the image.
+std::optional<vision::ColourParameters> balanced(const vision::CameraParameters& camera,
+                                                 const std::string& image) {
+  if (image.empty()) throw std::runtime_error("--balance: found no --image, expected one");
+  const ImageFile frame = read_image(image, camera);
+  const vision::CameraModel model(camera);
+  const double outer =
+      std::min(camera.mask.outer_radius_px, 0.5 * std::min(camera.width_px, camera.height_px));
+  const auto now =
+      vision::field_colours(frame.view(), model.centre(), camera.mask.inner_radius_px, outer);
+  if (!now) {
+    std::cerr << "teamsight: " << image << ": neither carpet nor paint stands out\n";
+    return std::nullopt;
+  }
+  return vision::balanced(camera.colours, *now);
+}
+
+int calibrate_colours(const ColourOptions& options) {
+  vision::CameraParameters camera = settings::load_camera(options.base);
+  if (options.balance) {
+    const auto colours = balanced(camera, options.image);
+    if (!colours) return kNo;
+    camera.colours = *colours;
+  }
+  std::vector<Click> clicks;
+  if (!options.labels.empty()) clicks = clicks_in(options.labels);
+  for (const std::string& text : options.samples) clicks.push_back(click_of(text, options.image));
+  if (clicks.empty() && !options.balance) {
+    throw std::runtime_error(
+        "found neither --sample, --labels nor --balance, expected one of them");
+  }
+  std::vector<vision::LabelledColours> labels;
+  for (const Click& click : clicks) add_pixels(click, camera, labels);
+  const auto colours = vision::colours_from(camera.colours, labels);
+  if (!colours) {
+    const vision::ColourConflict& conflict = colours.error();
+    std::cerr << "teamsight: " << name_of(conflict.a) << " and " << name_of(conflict.b)
+              << " look the same in this light: no border between them\n";
+    return kNo;
+  }
+  camera.colours = *colours;
+  std::cout << report(camera.colours).dump() << std::endl;
+  if (!options.out.empty()) {
+    settings::save_camera(options.out, camera, "Colours: teamsight calibrate colours");
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_calibrate_colours(CLI::App& calibrate, int& exit_code) {
+  auto options = std::make_shared<ColourOptions>();
+  CLI::App* colours = calibrate.add_subcommand(
+      "colours", "Colour classes from labelled pixels. Exit 1: two classes look the same");
+  colours->add_option("--base,--camera", options->base, "camera file to start from")->required();
+  colours->add_option("--image", options->image, "picture or .raw dump of the samples");
+  colours->add_option("--sample", options->samples, "CLASS:u_px,v_px[,radius_px] in the image");
+  colours->add_option("--labels", options->labels, "JSON list of image, class, u_px, v_px, r_px");
+  colours->add_flag("--balance",
+                    options->balance,
+                    "carry the base's classes over to the image's light, by its white and green");
+  colours->add_option("--out", options->out, "camera file to write");
+  colours->callback([options, &exit_code] { exit_code = calibrate_colours(*options); });
+}
+
+}  // namespace teamsight::tools
