@@ -29,7 +29,9 @@ class InlineList {
   }
 
   // There is nothing to be taken away: moving copies the values there are.
-  InlineList(InlineList&& other) noexcept : InlineList(static_cast<const InlineList&>(other)) {}
+  InlineList(InlineList&& other) noexcept : size_(other.size_) {
+    std::copy(other.begin(), other.end(), begin());
+  }
 
   InlineList& operator=(InlineList&& other) noexcept {
     return *this = static_cast<const InlineList&>(other);

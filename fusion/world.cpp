@@ -135,6 +135,7 @@ std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parame
   });
   if (ranked.size() > kMaxWorldBalls) ranked.resize(kMaxWorldBalls);
   std::vector<WorldBall> balls;
+  balls.reserve(ranked.size());
   for (const Ranked& one : ranked) balls.push_back(one.ball);
   return balls;
 }

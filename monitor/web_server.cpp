@@ -243,7 +243,7 @@ struct WebServer::Impl {
     for (LiveClient* client : clients) client->push(events, extra);
   }
 
-  void tell(std::uint64_t id, std::string message) {
+  void tell(std::uint64_t id, std::string message) const {
     const auto text = std::make_shared<const std::string>(std::move(message));
     const std::set<LiveClient*> clients = hub.clients;
     for (LiveClient* client : clients) {

@@ -35,10 +35,10 @@ void Governor::heard(std::string_view process, double bps, HostTime now) {
     std::erase_if(shares_,
                   [&](const auto& entry) { return now - entry.second.heard > parameters_.memory; });
     if (shares_.size() >= kMaxProcesses) return;
-    found = shares_.emplace(std::string(process), Share{bps, bps, now}).first;
+    found = shares_.emplace(std::string(process), Share{bps, bps, now, now}).first;
   }
   Share& share = found->second;
-  share = Share{bps, share.bps, now};
+  share = Share{bps, share.bps, now, share.first};
 }
 
 double Governor::team_bps(HostTime now) const {
@@ -49,11 +49,12 @@ double Governor::team_bps(HostTime now) const {
   return sum;
 }
 
-// A second ahead, if what rises goes on to rise.
+// A second ahead, if what rises goes on to rise; of those who have settled.
 double Governor::forecast_bps(HostTime now) const {
   double sum = 0.0;
   for (const auto& [process, share] : shares_) {
     if (now - share.heard > parameters_.memory) continue;
+    if (now - share.first < parameters_.settling) continue;
     sum += share.bps + std::max(0.0, share.bps - share.before_bps);
   }
   return sum;

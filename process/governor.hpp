@@ -33,6 +33,8 @@ struct GovernorParameters {
   Duration calm{std::chrono::seconds(5)};
   Duration memory{
       std::chrono::seconds(5)};  ///< a process that says nothing for so long sends nothing
+  /// What a process says in its first seconds is mostly discovery, which no thrift makes less.
+  Duration settling{std::chrono::seconds(4)};
 };
 
 /// Adds up what every process of the team says that it sends, and decides how much thrift it takes.
@@ -57,6 +59,7 @@ class Governor {
     double bps{0.0};
     double before_bps{0.0};
     HostTime heard;
+    HostTime first;  // when it was heard for the first time
   };
 
   [[nodiscard]] double forecast_bps(HostTime now) const;

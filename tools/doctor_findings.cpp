@@ -8,13 +8,13 @@
 namespace teamsight::tools {
 namespace {
 
-constexpr double kSlowCamera_hz = 20.0;
-constexpr double kOldCalibration_days = 14.0;
-constexpr double kDrift_px = 1.5;  // a line is about three pixels wide at 4 m
-constexpr double kSoon_days = 7.0;
-constexpr double kLeastDisk_gb = 2.0;  // a recorded match takes about one
+constexpr double kSlowCamera = 20.0;      // Hz
+constexpr double kOldCalibration = 14.0;  // days
+constexpr double kDrift = 1.5;            // px; a line is about three pixels wide at 4 m
+constexpr double kSoon = 7.0;             // days
+constexpr double kLeastDisk = 2.0;        // GB; a recorded match takes about one
 constexpr Duration kLooseClock = std::chrono::milliseconds(5);
-constexpr double kAirGoal_bps = 2.0e6;
+constexpr double kAirGoal = 2.0e6;  // bit/s
 
 Finding fine(std::string check, std::string found) {
   return {std::move(check), true, std::move(found), {}};
@@ -46,7 +46,7 @@ Finding camera(const Observed& seen) {
     return wrong("camera", "the agent gets no frames", "check cable and power; see its journal");
   }
   const std::string rate = fmt::format("{:.1f} frames/s", own->second.frame_rate_hz);
-  if (own->second.frame_rate_hz < kSlowCamera_hz) {
+  if (own->second.frame_rate_hz < kSlowCamera) {
     return wrong(
         "camera", rate, "set a shorter exposure or a smaller picture; 20 or more are wanted");
   }
@@ -58,10 +58,10 @@ Finding calibration(const Observed& seen) {
   const double drift = own == seen.heard.end() ? 0.0 : own->second.calibration_drift_px;
   const std::string found =
       fmt::format("{:.0f} days old, drift {:.1f} px", seen.calibration_days, drift);
-  if (drift > kDrift_px) {
+  if (drift > kDrift) {
     return wrong("calibration", found, "mirror or camera has moved: teamsight calibrate lines");
   }
-  if (seen.calibration_days > kOldCalibration_days) {
+  if (seen.calibration_days > kOldCalibration) {
     return wrong("calibration", found, "calibrate on this field: teamsight calibrate");
   }
   return fine("calibration", found);
@@ -115,7 +115,7 @@ Finding security(const Observed& seen) {
   }
   if (!seen.certificate_days) return fine("security", "on; openssl is not here to read the date");
   const std::string found = fmt::format("on, good for {:.0f} days", *seen.certificate_days);
-  if (*seen.certificate_days < kSoon_days) {
+  if (*seen.certificate_days < kSoon) {
     return wrong("security", found, "teamsight keys --renew, and copy the new folders");
   }
   return fine("security", found);
@@ -143,13 +143,13 @@ Finding versions(const Observed& seen) {
 
 Finding air(const Observed& seen) {
   const std::string found = fmt::format("{:.2f} Mbit/s", 1e-6 * seen.team_bps);
-  if (seen.team_bps <= kAirGoal_bps) return fine("air", found);
+  if (seen.team_bps <= kAirGoal) return fine("air", found);
   return wrong("air", found, "lower the frame rate; the league's alarm is at 2.2 Mbit/s");
 }
 
 Finding disk(const Observed& seen) {
   const std::string found = fmt::format("{:.1f} GB free", seen.disk_free_gb);
-  if (seen.disk_free_gb >= kLeastDisk_gb) return fine("disk", found);
+  if (seen.disk_free_gb >= kLeastDisk) return fine("disk", found);
   return wrong("disk", found, "delete old recordings");
 }
 

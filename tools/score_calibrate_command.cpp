@@ -57,7 +57,9 @@ std::optional<double> ground_error(const sim::Renderer& truth,
   constexpr int kDirections = 36;
   double sum = 0.0;
   int count = 0;
-  for (double distance = 1.0; distance <= reach + 1e-9; distance += 0.5) {
+  const int rings = static_cast<int>(std::floor((reach - 1.0) / 0.5 + 1e-9));
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double distance = 1.0 + 0.5 * ring;
     for (int i = 0; i < kDirections; ++i) {
       const double azimuth = 2.0 * std::numbers::pi * i / kDirections;
       const Point3<Robot> p_R{distance * std::cos(azimuth), distance * std::sin(azimuth), 0.0};

@@ -103,7 +103,7 @@ ordered_json fusion_json(const score::Tally& tally) {
   return json;
 }
 
-void print(const std::string& scenario, const std::string& estimator, ordered_json rest) {
+void print(const std::string& scenario, const std::string& estimator, const ordered_json& rest) {
   ordered_json line;
   line["scenario"] = scenario;
   line["estimator"] = estimator;
@@ -162,7 +162,7 @@ std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
     };
     if (std::any_of(all.begin(), all.end(), is_named)) continue;
     std::string known;
-    for (const play::Scenario& scenario : all) known += " " + scenario.name;
+    for (const play::Scenario& scenario : all) known.append(" ").append(scenario.name);
     throw std::runtime_error("--scenario: found " + name + ", expected one of" + known);
   }
   std::erase_if(all, [&](const play::Scenario& scenario) {

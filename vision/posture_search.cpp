@@ -84,7 +84,10 @@ int PostureSearch::votes_at(float x, float y) const {
     // One comparison for both ends: what is negative becomes very large.
     const bool is_inside = static_cast<unsigned>(column) < static_cast<unsigned>(columns_) &&
                            static_cast<unsigned>(row) < static_cast<unsigned>(rows_);
-    if (is_inside) votes += votes_[static_cast<std::size_t>(row * columns_ + column)];
+    if (is_inside) {
+      votes += votes_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(column)];
+    }
   }
   return votes;
 }

@@ -109,8 +109,8 @@ bool GameBook::apply_goal(const BoxCommand& command) {
 
 std::string GameBook::apply(const BoxCommand& command, HostTime now) {
   if (command.name == "WELCOME" && learns_address_) own_address_ = command.target;
-  const std::string said = command.name + whose(command) +
-                           (command.robot ? " robot " + std::to_string(*command.robot) : "");
+  std::string said = command.name + whose(command) +
+                     (command.robot ? " robot " + std::to_string(*command.robot) : "");
   const bool is_connected = state_.box_connected;
   bool is_known =
       command.name == "WELCOME" || std::ranges::find(kNoted, command.name) != kNoted.end();

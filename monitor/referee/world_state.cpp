@@ -116,6 +116,11 @@ std::optional<std::string> fault_of_list(const Json& world,
   return std::nullopt;
 }
 
+bool says_intention_as_text(const Json& robot) {
+  const auto intention = robot.find("intention");
+  return intention == robot.end() || intention->is_string();
+}
+
 }  // namespace
 
 std::string world_state(const WorldStateInput& input) {
@@ -148,13 +153,10 @@ std::optional<std::string> fault_of_world_state(const std::string& json) {
   if (world["type"] != "worldstate") return "type: expected worldstate";
   const auto age = world.find("ageMs");
   if (age == world.end() || !age->is_number_integer()) return "ageMs: expected a whole number";
-  for (const Json& one : world.value("robots", Json::array())) {
-    const auto intention = one.is_object() ? one.find("intention") : one.end();
-    if (one.is_object() && intention != one.end() && !intention->is_string()) {
-      return "robots.intention: expected a text";
-    }
-  }
   if (auto fault = fault_of_list(world, "robots", kRobotRules)) return fault;
+  if (!std::ranges::all_of(world["robots"], says_intention_as_text)) {
+    return "robots.intention: expected a text";
+  }
   if (auto fault = fault_of_list(world, "balls", kBallRules)) return fault;
   return fault_of_list(world, "obstacles", kObstacleRules);
 }

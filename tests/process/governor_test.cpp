@@ -34,10 +34,18 @@ TEST(Governor, LeavesATeamWithinItsBudgetAlone) {
 
 TEST(Governor, TakesOneStepASecondWhileTheBudgetIsBroken) {
   Governor governor({});
+  live(governor, 1.5e6, 0, 4);
 
-  EXPECT_EQ(live(governor, 2.3e6, 0, 1), Thrift::kRareDiagnostics);
-  EXPECT_EQ(live(governor, 2.3e6, 1, 3), Thrift::kSlowWorld);
-  EXPECT_EQ(live(governor, 2.3e6, 3, 10), Thrift::kNoObstacles);
+  EXPECT_EQ(live(governor, 2.3e6, 4, 5), Thrift::kRareDiagnostics);
+  EXPECT_EQ(live(governor, 2.3e6, 5, 7), Thrift::kSlowWorld);
+  EXPECT_EQ(live(governor, 2.3e6, 7, 14), Thrift::kNoObstacles);
+}
+
+TEST(Governor, IsNotFrightenedByTheBurstOfAStart) {
+  Governor governor({});
+
+  EXPECT_EQ(live(governor, 6.0e6, 0, 3), Thrift::kNone);
+  EXPECT_EQ(live(governor, 1.5e6, 3, 10), Thrift::kNone);
 }
 
 TEST(Governor, LooksAheadWhenTheRateRises) {
@@ -49,18 +57,20 @@ TEST(Governor, LooksAheadWhenTheRateRises) {
 
 TEST(Governor, GivesBackOneStepAfterEachWhileOfCalm) {
   Governor governor({});
-  live(governor, 2.3e6, 0, 2);
+  live(governor, 1.5e6, 0, 4);
+  live(governor, 2.3e6, 4, 6);
 
-  EXPECT_EQ(live(governor, 1.5e6, 2, 6), Thrift::kNearObstacles);
-  EXPECT_EQ(live(governor, 1.5e6, 6, 8), Thrift::kRareDiagnostics);
-  EXPECT_EQ(live(governor, 1.5e6, 8, 13), Thrift::kNone);
+  EXPECT_EQ(live(governor, 1.5e6, 6, 10), Thrift::kNearObstacles);
+  EXPECT_EQ(live(governor, 1.5e6, 10, 12), Thrift::kRareDiagnostics);
+  EXPECT_EQ(live(governor, 1.5e6, 12, 17), Thrift::kNone);
 }
 
 TEST(Governor, NeitherTakesNorGivesBetweenTheTwoMarks) {
   Governor governor({});
-  live(governor, 2.3e6, 0, 2);
+  live(governor, 1.5e6, 0, 4);
+  live(governor, 2.3e6, 4, 6);
 
-  EXPECT_EQ(live(governor, 1.9e6, 2, 60), Thrift::kNearObstacles);
+  EXPECT_EQ(live(governor, 1.9e6, 6, 60), Thrift::kNearObstacles);
 }
 
 TEST(Governor, ForgetsWhoSaysNothing) {

@@ -165,7 +165,7 @@ std::vector<SampledColour> paint_in(const std::vector<SampledColour>& floor,
   std::vector<SampledColour> paint;
   std::ranges::copy_if(floor, std::back_inserter(paint), [&](const SampledColour& p) {
     const double off = std::hypot(p.u - green.u, p.v - green.v);
-    return p.y > green.y + kBrighter && p.y < kSaturated && off > kNear / 2;
+    return p.y > green.y + kBrighter && p.y < kSaturated && off > 0.5 * kNear;
   });
   return paint;
 }

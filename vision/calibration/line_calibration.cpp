@@ -55,6 +55,7 @@ class Calibrator {
   void place_after(const Bundle& bundle, LineCalibration& result);
   void judge(const Bundle& bundle, LineCalibration& result) const;
   [[nodiscard]] BundleStart best_places(const Start& start) const;
+  [[nodiscard]] std::vector<BundleStart> guesses_of(const Start& start) const;
   [[nodiscard]] double inlier_ratio(const Bundle& bundle, const CalibrationView& view) const;
 
   const LineMap& map_;
@@ -113,26 +114,28 @@ BundleStart Calibrator::best_places(const Start& start) const {
   return places;
 }
 
+// What the adjustment may begin from. A single view may be explained by the wrong place and a bent
+// camera: every place is tried.
+std::vector<BundleStart> Calibrator::guesses_of(const Start& start) const {
+  BundleStart places = best_places(start);
+  if (places.views.size() > 1) return {std::move(places)};
+  std::vector<BundleStart> guesses;
+  for (std::size_t v = 0; v < pixels_.size(); ++v) {
+    for (const PostureFit& fit : start.candidates[v]) {
+      guesses.push_back({{{pixels_[v], fit.X_FR}}, start.turn});
+    }
+  }
+  return guesses;
+}
+
 // The best fit of all starts; nothing if no view has any posture.
 std::optional<Bundle> Calibrator::first_round(const std::vector<Start>& starts) {
   std::optional<Bundle> best;
-  const auto take_in = [&](BundleStart start) {
-    if (start.views.empty()) return;
-    Bundle bundle = adjust(map_, camera_, priors_, std::move(start), rules_.bundle);
-    if (bundle.info.size() == 0) return;
-    if (!best || bundle.cost < best->cost) best = std::move(bundle);
-  };
   for (const Start& start : starts) {
-    BundleStart places = best_places(start);
-    if (places.views.size() > 1) {
-      take_in(std::move(places));
-      continue;
-    }
-    // A single view may be explained by the wrong place and a bent camera: try all.
-    for (std::size_t v = 0; v < pixels_.size(); ++v) {
-      for (const PostureFit& fit : start.candidates[v]) {
-        take_in({{{pixels_[v], fit.X_FR}}, start.turn});
-      }
+    for (BundleStart& guess : guesses_of(start)) {
+      Bundle bundle = adjust(map_, camera_, priors_, std::move(guess), rules_.bundle);
+      if (bundle.info.size() == 0) continue;
+      if (!best || bundle.cost < best->cost) best = std::move(bundle);
     }
   }
   return best;

@@ -20,8 +20,8 @@ void add(std::vector<double>& places, double place) {
   if (!is_known) places.push_back(place);
 }
 
-double triangle(double distance, double width) {
-  return kMostRelevant * std::max(0.0, 1.0 - distance / width);
+double triangle(double off, double width) {
+  return kMostRelevant * std::max(0.0, 1.0 - off / width);
 }
 
 }  // namespace
