@@ -152,6 +152,12 @@ void score_scenario(const play::Scenario& scenario, const Options& options) {
   }
 }
 
+[[noreturn]] void refuse(const std::string& name, const std::vector<play::Scenario>& all) {
+  std::string known;
+  for (const play::Scenario& scenario : all) known.append(" ").append(scenario.name);
+  throw std::runtime_error("--scenario: found " + name + ", expected one of" + known);
+}
+
 /// The scenarios asked for, in the order of the list. @throws if one has no such name
 std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
   std::vector<play::Scenario> all = play::all_scenarios();
@@ -161,9 +167,7 @@ std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
       return scenario.name == name;
     };
     if (std::any_of(all.begin(), all.end(), is_named)) continue;
-    std::string known;
-    for (const play::Scenario& scenario : all) known.append(" ").append(scenario.name);
-    throw std::runtime_error("--scenario: found " + name + ", expected one of" + known);
+    refuse(name, all);
   }
   std::erase_if(all, [&](const play::Scenario& scenario) {
     return std::find(names.begin(), names.end(), scenario.name) == names.end();
