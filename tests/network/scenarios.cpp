@@ -92,9 +92,17 @@ Outcome delay(const ScenarioOptions& options) {
   return under("delay", options, weather, 0.5, 500.0);
 }
 
-// The id of the ball that robot 1 was told of last; 0: none yet. A world model without a ball, as
-// when nobody of a half sees it, tells of none.
+// The ball in the newest world model that robot 1 had; 0: no ball.
 std::uint32_t ball_of(Team& team) {
+  for (auto sight = team.sights(1).rbegin(); sight != team.sights(1).rend(); ++sight) {
+    if (sight->channel == Channel::kChoice) return sight->ball_track;
+  }
+  return 0;
+}
+
+// The ball that robot 1 was told of last: while nobody of a half sees the ball, its models have
+// none.
+std::uint32_t last_ball_of(Team& team) {
   for (auto sight = team.sights(1).rbegin(); sight != team.sights(1).rend(); ++sight) {
     if (sight->channel == Channel::kChoice && sight->ball_track != 0) return sight->ball_track;
   }
@@ -122,7 +130,7 @@ Outcome split(const std::string& name, const ScenarioOptions& options, milliseco
                     static_cast<double>(lease_of(options).count()) + 100.0);
   }
   expect_served(stage, stage.report(name, {cut, now_ns()}));
-  const std::uint32_t ball_before = ball_of(stage.team);
+  const std::uint32_t ball_before = last_ball_of(stage.team);
   const std::int64_t healed = now_ns();
   stage.hosts.network().set_groups(std::vector<int>(7, 0));
   expect_recovery(
