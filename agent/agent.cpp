@@ -47,6 +47,22 @@ std::string drift_complaint(const vision::DriftReport& drift) {
          " deg: check the mirror, teamsight calibrate lines";
 }
 
+const char* name_of(vision::Light light) {
+  switch (light) {
+    case vision::Light::kGood:
+      return "good";
+    case vision::Light::kDark:
+      return "too dark";
+    case vision::Light::kGlare:
+      return "glare";
+    case vision::Light::kCovered:
+      return "the lens is covered";
+    case vision::Light::kUnknown:
+      break;
+  }
+  return "no carpet in sight";
+}
+
 std::string in_seconds(Duration duration) {
   const auto tenths = std::llround(10.0 * to_seconds(duration));
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
@@ -63,7 +79,8 @@ AgentBus::AgentBus(const bus::Participant& team_domain, const bus::Participant& 
       peers(team_domain),
       commands(team_domain),
       worlds(team_domain),
-      odometry(host) {}
+      odometry(host),
+      sensors(host) {}
 
 Agent::Agent(AgentIdentity identity,
              AgentBus& bus,
@@ -114,6 +131,8 @@ void Agent::write(const Seen& seen) {
   exposure_ = seen.exposure;
   sees_ball_ = sees_ball(*seen.observation);
   drift_.take(seen.observation->drift, posture_.X_FR);
+  light_ = seen.observation->light;
+  carpet_luminance_ = static_cast<std::uint64_t>(seen.observation->carpet.luminance);
   const HostTime now = bus::host_now();
   if (posture_.status != PostureStatus::kLost) {
     posture_found_ = now;
@@ -125,6 +144,10 @@ void Agent::write(const Seen& seen) {
         sightings_of(*seen.observation, {id, seen.exposure, bus::host_now()});
     meter_.count("air.obstacles_left_out", process::trim(sightings, air_.thrift()));
     bus_->sightings.write(sightings);
+  }
+  if (!seen.observation->sensors.empty()) {
+    const ObservationId id{identity_.robot, identity_.boot, ++sensors_count_};
+    bus_->sensors.write(sensors_of(*seen.observation, {id, seen.exposure, now}));
   }
   const bool is_asked = now < line_points_until_ && now - line_points_written_ >= kLinePointsPeriod;
   if (is_asked && air_.thrift() == process::Thrift::kNone && air_.may_tell(kLinePointsBytes, now)) {
@@ -210,6 +233,9 @@ std::string Agent::complaint(const SourceReport& source, HostTime now) const {
   if (drift_.report().alarm) {
     return drift_complaint(drift_.report());
   }
+  if (light_ != vision::Light::kGood) {
+    return std::string("light: ") + name_of(light_) + ", what is seen may be wrong";
+  }
   return {};
 }
 
@@ -229,6 +255,7 @@ void Agent::diagnose() {
                  posture.inputs_backwards);
   meter_.set("RobotState", bus_->states.counters());
   meter_.set("Sightings", bus_->sightings.counters());
+  meter_.set("carpet.luminance", carpet_luminance_);
   meter_.set("Command", bus_->commands.counters());
   meter_.set("Odometry", bus_->odometry.counters());
   bus::Diagnostics report = meter_.report(now);

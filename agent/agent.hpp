@@ -35,6 +35,7 @@ struct AgentBus {
   bus::Reader<bus::Command> commands;
   bus::Reader<WorldModel> worlds;
   bus::Reader<bus::Odometry> odometry;
+  bus::Writer<bus::VirtualSensors> sensors;
 };
 
 /// Who this agent is and what it starts from.
@@ -94,13 +95,16 @@ class Agent {
   HostTime exposure_{};       // of the newest frame; zero: none yet
   HostTime posture_found_{};  // when it last was not lost
   bool sees_ball_{false};
-  double frame_period_{0.0};  // s, smoothed; 0: not known
+  vision::Light light_{vision::Light::kUnknown};  // of the newest frame
+  std::uint64_t carpet_luminance_{0};             // the same; grey levels, 0: no carpet seen
+  double frame_period_{0.0};                      // s, smoothed; 0: not known
   double cpu_load_{0.0};
   std::string reject_;  // why the newest frame said nothing; empty if it did
 
   std::uint32_t state_count_{0};
   std::uint32_t sightings_count_{0};
   std::uint32_t line_points_count_{0};
+  std::uint32_t sensors_count_{0};
   HostTime state_written_{};
   HostTime line_points_until_{};
   HostTime line_points_written_{};

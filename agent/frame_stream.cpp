@@ -23,13 +23,8 @@ Number get(std::span<const std::uint8_t> bytes, std::size_t at) {
 
 std::optional<vision::PixelFormat> format_of(std::uint32_t code) {
   using vision::PixelFormat;
-  for (const PixelFormat format :
-       {PixelFormat::kBgr, PixelFormat::kYuyv, PixelFormat::kUyvy, PixelFormat::kGrey}) {
-    if (static_cast<std::uint32_t>(format) == code) {
-      return format;
-    }
-  }
-  return std::nullopt;
+  if (code > static_cast<std::uint32_t>(PixelFormat::kBayerGbrg)) return std::nullopt;
+  return static_cast<PixelFormat>(code);
 }
 
 bool is_plausible(std::uint32_t side_px) {
@@ -68,7 +63,7 @@ std::optional<StreamHeader> decode_stream_header(std::span<const std::uint8_t> b
 }
 
 std::size_t picture_bytes(const StreamHeader& header) {
-  return vision::row_bytes(header.format, header.width_px) * header.height_px;
+  return vision::frame_bytes(header.format, header.width_px, header.height_px);
 }
 
 std::span<std::uint8_t> StreamParser::room(Frame& frame) {

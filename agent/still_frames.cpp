@@ -42,7 +42,8 @@ Frame read_raw_dump(const std::string& path, const PictureLayout& layout) {
     throw SourceError(path + ": cannot be read, expected a raw picture");
   }
   const auto found = static_cast<std::size_t>(file.tellg());
-  const std::size_t expected = vision::row_bytes(layout.format, layout.width_px) * layout.height_px;
+  const std::size_t expected =
+      vision::frame_bytes(layout.format, layout.width_px, layout.height_px);
   if (found != expected) {
     throw SourceError(path + ": found " + std::to_string(found) + " bytes, expected " +
                       std::to_string(expected) + " (" + std::to_string(layout.width_px) + "x" +

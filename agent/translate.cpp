@@ -49,6 +49,16 @@ bus::Sightings sightings_of(const vision::FrameObservation& seen, const Stamps& 
   return message;
 }
 
+bus::VirtualSensors sensors_of(const vision::FrameObservation& seen, const Stamps& stamps) {
+  bus::VirtualSensors message;
+  message.id = stamps.id;
+  message.exposure = stamp_of(stamps.exposure);
+  for (const vision::SensorValue& sensor : seen.sensors) {
+    message.readings.push_back({sensor.name, sensor.value, sensor.triggered});
+  }
+  return message;
+}
+
 bus::LinePoints line_points_of(const vision::FrameObservation& seen, const Stamps& stamps) {
   bus::LinePoints message;
   message.id = stamps.id;

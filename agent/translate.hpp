@@ -22,6 +22,10 @@ struct Stamps {
 [[nodiscard]] bus::LinePoints line_points_of(const vision::FrameObservation& seen,
                                              const Stamps& stamps);
 
+/// The virtual sensors; at most 24 of them, as a camera file allows.
+[[nodiscard]] bus::VirtualSensors sensors_of(const vision::FrameObservation& seen,
+                                             const Stamps& stamps);
+
 /// Whether a ball is seen that is more probably one than not.
 [[nodiscard]] bool sees_ball(const vision::FrameObservation& seen);
 

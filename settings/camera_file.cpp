@@ -6,6 +6,8 @@
 #include "config.pb.h"
 #include "geometry/angle.hpp"
 #include "settings/calibration_record.hpp"
+#include "settings/camera_names.hpp"
+#include "settings/camera_parts.hpp"
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 #include "settings/text_format.hpp"
@@ -18,44 +20,6 @@ using config::CameraFile;
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
-}
-
-std::uint8_t byte(std::uint32_t value) {
-  return static_cast<std::uint8_t>(value);
-}  // in range
-
-vision::PixelFormat format_of(CameraFile::PixelFormat format) {
-  switch (format) {
-    case CameraFile::BGR:
-      return vision::PixelFormat::kBgr;
-    case CameraFile::YUYV:
-      return vision::PixelFormat::kYuyv;
-    case CameraFile::UYVY:
-      return vision::PixelFormat::kUyvy;
-    case CameraFile::GREY:
-      return vision::PixelFormat::kGrey;
-  }
-  return vision::PixelFormat::kBgr;
-}
-
-vision::ColourClass class_of(CameraFile::Colours::Class colour) {
-  switch (colour) {
-    case CameraFile::Colours::GREEN:
-      return vision::ColourClass::kGreen;
-    case CameraFile::Colours::BALL:
-      return vision::ColourClass::kBall;
-    case CameraFile::Colours::BLUE:
-      return vision::ColourClass::kBlue;
-    case CameraFile::Colours::YELLOW:
-      return vision::ColourClass::kYellow;
-    case CameraFile::Colours::MAGENTA:
-      return vision::ColourClass::kMagenta;
-    case CameraFile::Colours::CYAN:
-      return vision::ColourClass::kCyan;
-    case CameraFile::Colours::RED:
-      return vision::ColourClass::kRed;
-  }
-  return vision::ColourClass::kNone;
 }
 
 // ---- mirrors -----------------------------------------------------------------------------------
@@ -162,30 +126,7 @@ void check_cover(const TextFile& text,
   }
 }
 
-// ---- colours and mask --------------------------------------------------------------------------
-
-vision::ColourParameters colours_of(const TextFile& text, const CameraFile::Colours& file) {
-  if (file.black_max_y() >= file.white_min_y()) {
-    throw text.error("colours.black_max_y",
-                     std::to_string(file.black_max_y()),
-                     "less than white_min_y, " + std::to_string(file.white_min_y()));
-  }
-  vision::ColourParameters colours;
-  colours.white_min_y = byte(file.white_min_y());
-  colours.black_max_y = byte(file.black_max_y());
-  for (int i = 0; i < file.sample_size(); ++i) {
-    const auto& sample = file.sample(i);
-    for (int j = 0; j < i; ++j) {
-      if (file.sample(j).u() != sample.u() || file.sample(j).v() != sample.v()) continue;
-      throw text.error("colours." + key_of("sample", i),
-                       "the same u and v as in sample[" + std::to_string(j) + "]",
-                       "each (u, v) once");
-    }
-    colours.samples.push_back(
-        {class_of(sample.class_()), byte(sample.u()), byte(sample.v()), byte(sample.radius())});
-  }
-  return colours;
-}
+// ---- mask --------------------------------------------------------------------------------------
 
 vision::Mask mask_of(const TextFile& text, const CameraFile& file) {
   vision::Mask mask;
@@ -206,6 +147,10 @@ vision::Mask mask_of(const TextFile& text, const CameraFile& file) {
     }
     mask.sectors.push_back(
         {wrap_angle(radians(sector.from_deg())), wrap_angle(radians(sector.to_deg()))});
+  }
+  for (int i = 0; i < file.mask().polygon_size(); ++i) {
+    mask.polygons.push_back(
+        polygon_of(text, "mask." + key_of("polygon", i), file.mask().polygon(i)));
   }
   return mask;
 }
@@ -230,6 +175,8 @@ vision::CameraParameters load_camera(const std::filesystem::path& path) {
   camera.scan.rays = static_cast<std::uint16_t>(file.scan().rays());
   camera.scan.max_distance = file.scan().max_distance_m();
   camera.scan.min_contrast = file.scan().min_contrast();
+  camera.scan.chroma_window = static_cast<std::uint16_t>(file.scan().chroma_window());
+  camera.sensors = sensors_of(text, file);
   return camera;
 }
 

@@ -9,6 +9,8 @@
 
 #include "config.pb.h"
 #include "settings/calibration_record.hpp"
+#include "settings/camera_names.hpp"
+#include "settings/camera_parts.hpp"
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 
@@ -20,45 +22,6 @@ using config::CameraFile;
 
 double degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
-}
-
-CameraFile::PixelFormat format_of(vision::PixelFormat format) {
-  switch (format) {
-    case vision::PixelFormat::kBgr:
-      return CameraFile::BGR;
-    case vision::PixelFormat::kYuyv:
-      return CameraFile::YUYV;
-    case vision::PixelFormat::kUyvy:
-      return CameraFile::UYVY;
-    case vision::PixelFormat::kGrey:
-      return CameraFile::GREY;
-  }
-  return CameraFile::BGR;
-}
-
-// Classes that follow from luminance alone have no samples in a file.
-std::optional<CameraFile::Colours::Class> class_of(vision::ColourClass colour) {
-  switch (colour) {
-    case vision::ColourClass::kGreen:
-      return CameraFile::Colours::GREEN;
-    case vision::ColourClass::kBall:
-      return CameraFile::Colours::BALL;
-    case vision::ColourClass::kBlue:
-      return CameraFile::Colours::BLUE;
-    case vision::ColourClass::kYellow:
-      return CameraFile::Colours::YELLOW;
-    case vision::ColourClass::kMagenta:
-      return CameraFile::Colours::MAGENTA;
-    case vision::ColourClass::kCyan:
-      return CameraFile::Colours::CYAN;
-    case vision::ColourClass::kRed:
-      return CameraFile::Colours::RED;
-    case vision::ColourClass::kNone:
-    case vision::ColourClass::kWhite:
-    case vision::ColourClass::kBlack:
-      break;
-  }
-  return std::nullopt;
 }
 
 std::filesystem::path profile_beside(const std::filesystem::path& path) {
@@ -96,20 +59,6 @@ void write(const vision::ProfileMirror& mirror, CameraFile& file) {
   out.set_head_pitch_deg(degrees(mirror.head_pitch));
 }
 
-void write(const vision::ColourParameters& colours, CameraFile::Colours& out) {
-  out.set_white_min_y(colours.white_min_y);
-  out.set_black_max_y(colours.black_max_y);
-  for (const vision::ColourSample& sample : colours.samples) {
-    const auto colour = class_of(sample.colour);
-    if (!colour) continue;
-    auto& line = *out.add_sample();
-    line.set_class_(*colour);
-    line.set_u(sample.u);
-    line.set_v(sample.v);
-    line.set_radius(sample.radius);
-  }
-}
-
 void write(const vision::Mask& mask, CameraFile::Mask& out) {
   constexpr double kNoRim = 8192.0;  // the largest image: a mask that hides nothing
   out.set_inner_radius_px(mask.inner_radius_px);
@@ -119,6 +68,7 @@ void write(const vision::Mask& mask, CameraFile::Mask& out) {
     line.set_from_deg(degrees(sector.from));
     line.set_to_deg(degrees(sector.to) + (sector.to < sector.from ? 360.0 : 0.0));
   }
+  for (const vision::Polygon& polygon : mask.polygons) write_polygon(polygon, *out.add_polygon());
 }
 
 CameraFile file_of(const vision::CameraParameters& camera, const std::filesystem::path& path) {
@@ -126,19 +76,21 @@ CameraFile file_of(const vision::CameraParameters& camera, const std::filesystem
   file.set_name(camera.name);
   file.set_width_px(camera.width_px);
   file.set_height_px(camera.height_px);
-  file.set_format(format_of(camera.format));
+  file.set_format(file_format_of(camera.format));
   std::visit([&](const auto& mirror) { write(mirror, file); }, camera.mirror);
   if (file.has_profile()) {
     file.mutable_profile()->set_profile_csv(profile_beside(path).filename().string());
   }
   file.mutable_mounting()->set_forward_deg(degrees(camera.forward));
   file.mutable_mounting()->set_mirrored(camera.mirrored);
-  write(camera.colours, *file.mutable_colours());
+  write_colours(camera.colours, *file.mutable_colours());
   write(camera.mask, *file.mutable_mask());
   if (camera.calibration) write_record(*camera.calibration, *file.mutable_calibration());
   file.mutable_scan()->set_rays(camera.scan.rays);
   file.mutable_scan()->set_max_distance_m(camera.scan.max_distance);
   file.mutable_scan()->set_min_contrast(camera.scan.min_contrast);
+  file.mutable_scan()->set_chroma_window(camera.scan.chroma_window);
+  for (const auto& sensor : camera.sensors) write_sensor(sensor, *file.add_sensor());
   return file;
 }
 

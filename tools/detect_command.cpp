@@ -12,6 +12,7 @@
 
 #include "settings/load.hpp"
 #include "tools/sight_drawing.hpp"
+#include "tools/unknown_field.hpp"
 #include "tools/viewer.hpp"
 #include "vision/camera_model.hpp"
 
@@ -91,14 +92,47 @@ ordered_json ball_entry(const BallRay& ball, const vision::BallPixels& pixels) {
   return entry;
 }
 
-ordered_json obstacle_entry(const ObstacleSighting& obstacle, const vision::Pixel& foot) {
+const char* class_name(vision::ColourClass colour) {
+  switch (colour) {
+    case vision::ColourClass::kBlue:
+      return "blue";
+    case vision::ColourClass::kYellow:
+      return "yellow";
+    case vision::ColourClass::kMagenta:
+      return "magenta";
+    case vision::ColourClass::kCyan:
+      return "cyan";
+    case vision::ColourClass::kRed:
+      return "red";
+    case vision::ColourClass::kWhite:
+      return "white";
+    default:
+      return nullptr;
+  }
+}
+
+ordered_json name_or_null(const char* name) {
+  return name == nullptr ? ordered_json() : ordered_json(name);
+}
+
+ordered_json goal_entry(const vision::SeenGoal& goal) {
   ordered_json entry;
-  entry["u_px"] = foot.u;
-  entry["v_px"] = foot.v;
+  entry["colour"] = name_or_null(class_name(goal.colour));
+  entry["azimuth_rad"] = goal.azimuth;
+  entry["left_rad"] = goal.left;
+  entry["right_rad"] = goal.right;
+  entry["distance_m"] = goal.distance ? ordered_json(*goal.distance) : ordered_json();
+  return entry;
+}
+
+ordered_json obstacle_entry(const ObstacleSighting& obstacle, const vision::ObstaclePixels& foot) {
+  ordered_json entry;
+  entry["u_px"] = foot.u_px;
+  entry["v_px"] = foot.v_px;
   entry["azimuth_rad"] = std::atan2(obstacle.p_RO.y, obstacle.p_RO.x);
   entry["distance_m"] = std::hypot(obstacle.p_RO.x, obstacle.p_RO.y);
   entry["width_m"] = obstacle.width;
-  entry["team"] = nullptr;
+  entry["team"] = name_or_null(class_name(foot.shirt));
   entry["confidence"] = obstacle.confidence;
   return entry;
 }
@@ -116,25 +150,17 @@ ordered_json detection_line(const std::string& image, const Viewed& viewed) {
     line["obstacles"].push_back(obstacle_entry(seen.obstacles[i], seen.obstacle_pixels[i]));
   }
   line["goals"] = ordered_json::array();
+  for (const vision::SeenGoal& goal : seen.goals) line["goals"].push_back(goal_entry(goal));
   line["free_space"] = ordered_json::array();
   for (const vision::FreeSpace& free : seen.free_space) {
     line["free_space"].push_back({{"azimuth_rad", free.azimuth}, {"distance_m", free.distance}});
   }
   line["sensors"] = ordered_json::object();
+  for (const vision::SensorValue& sensor : seen.sensors)
+    line["sensors"][sensor.name] = sensor.value;
   line["light"] = light_name(seen.light);
   line["time_ms"] = viewed.time_ms;
   return line;
-}
-
-// A field with a far-off line: without a field file nothing is known of postures.
-FieldModel unknown_field() {
-  FieldModel field;
-  field.name = "unknown";
-  field.length = 1.0;
-  field.width = 1.0;
-  field.line_width = 0.125;
-  field.lines.push_back({"none", {1e4, 0.0}, {1e4, 1.0}, LineFamily::kOther});
-  return field;
 }
 
 int detect(const DetectOptions& options) {
@@ -145,7 +171,8 @@ int detect(const DetectOptions& options) {
   for (const std::string& image : options.images) {
     const Viewed viewed = viewer.look(image, {});
     std::cout << detection_line(image, viewed).dump() << std::endl;
-    if (!options.draw.empty()) draw_sight(options.draw, image, viewed.frame, field, *viewed.seen);
+    if (options.draw.empty()) continue;
+    draw_sight(options.draw, {image, viewed.frame, camera.sensors}, field, *viewed.seen);
   }
   return 0;
 }

@@ -44,7 +44,8 @@ ImageFile read_dump(const std::filesystem::path& path, const vision::CameraParam
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
   const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  const std::size_t expected = vision::row_bytes(camera.format, camera.width_px) * camera.height_px;
+  const std::size_t expected =
+      vision::frame_bytes(camera.format, camera.width_px, camera.height_px);
   if (content.size() != expected) {
     throw std::runtime_error(path.string() + ": found " + std::to_string(content.size()) +
                              " bytes, expected " + std::to_string(expected) + " (" +

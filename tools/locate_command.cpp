@@ -152,7 +152,8 @@ int locate(const LocateOptions& options) {
   for (const std::string& image : options.images) {
     const Viewed viewed = viewer.look(image, prior);
     std::cout << posture_line(image, viewed).dump() << std::endl;
-    if (!options.draw.empty()) draw_sight(options.draw, image, viewed.frame, field, *viewed.seen);
+    if (!options.draw.empty())
+      draw_sight(options.draw, {image, viewed.frame, {}}, field, *viewed.seen);
     if (viewed.seen->posture.status == PostureStatus::kLost) exit_code = kNo;
   }
   return exit_code;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "geometry/field_model.hpp"
@@ -17,19 +18,26 @@ namespace teamsight::tools {
                                         const vision::FrameObservation& seen,
                                         const std::string& title);
 
-/// Writes the frame with line points, balls and feet of obstacles marked.
+/// A frame, the file it came from, and the windows of its camera's virtual sensors.
+struct Shot {
+  std::filesystem::path image;
+  const ImageFile& frame;
+  std::span<const vision::SensorWindows> sensors;
+};
+
+/// Writes the frame with line points, balls, feet of obstacles and sensor windows marked: a window
+/// is red when its sensor triggers, else blue.
 ///
 /// @throws std::runtime_error if the file cannot be written
 void write_marked_frame(const std::filesystem::path& path,
-                        const ImageFile& frame,
+                        const Shot& shot,
                         const vision::FrameObservation& seen);
 
 /// Writes both drawings as DIR/NAME.svg and DIR/NAME.png, NAME being the image file's name.
 ///
 /// @throws std::runtime_error if the folder or a file cannot be written
 void draw_sight(const std::filesystem::path& folder,
-                const std::filesystem::path& image,
-                const ImageFile& frame,
+                const Shot& shot,
                 const FieldModel& field,
                 const vision::FrameObservation& seen);
 

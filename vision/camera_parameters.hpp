@@ -10,7 +10,18 @@
 
 namespace teamsight::vision {
 
-enum class PixelFormat : std::uint8_t { kBgr, kYuyv, kUyvy, kGrey };
+/// The Bayer formats are named by their first two pixels of the first two rows.
+enum class PixelFormat : std::uint8_t {
+  kBgr,
+  kYuyv,
+  kUyvy,
+  kGrey,
+  kNv12,
+  kBayerRggb,
+  kBayerBggr,
+  kBayerGrbg,
+  kBayerGbrg,
+};
 
 /// One measured ring around the robot: the floor at `distance` appears at `radius_px`.
 struct RingMark {
@@ -80,10 +91,24 @@ struct ColourSample {
   friend bool operator==(const ColourSample&, const ColourSample&) = default;
 };
 
+/// What one colour looks like in any light: a range of hues, given as directions in the chroma
+/// plane (from u up, counter-clockwise to v up: blue 0, red 90 degrees, yellow 180), beyond a
+/// distance from grey.
+struct HueSector {
+  ColourClass colour{ColourClass::kNone};
+  double from{0.0};  ///< rad
+  double to{0.0};    ///< rad; counter-clockwise from `from`
+  std::uint8_t min_chroma{12};
+  std::uint8_t max_chroma{255};
+
+  friend bool operator==(const HueSector&, const HueSector&) = default;
+};
+
 struct ColourParameters {
   std::uint8_t white_min_y{160};
   std::uint8_t black_max_y{40};
   std::vector<ColourSample> samples;
+  std::vector<HueSector> sectors;  ///< asked where no sample's disc reaches; the first one counts
 
   friend bool operator==(const ColourParameters&, const ColourParameters&) = default;
 };
@@ -97,11 +122,23 @@ struct MaskedSector {
   friend bool operator==(const MaskedSector&, const MaskedSector&) = default;
 };
 
+/// A corner of a window in the image; px.
+struct Corner {
+  double u{0.0};
+  double v{0.0};
+
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+/// A closed polygon in the image; need not be convex.
+using Polygon = std::vector<Corner>;
+
 /// What never shows the world.
 struct Mask {
   double inner_radius_px{0.0};
   double outer_radius_px{1e9};
   std::vector<MaskedSector> sectors;
+  std::vector<Polygon> polygons;  ///< own body, or whatever else is always there
 
   friend bool operator==(const Mask&, const Mask&) = default;
 };
@@ -110,6 +147,8 @@ struct ScanPattern {
   std::uint16_t rays{360};
   double max_distance{8.0};   ///< m
   double min_contrast{18.0};  ///< of a line against the floor, grey levels
+  std::uint16_t chroma_window{
+      3};  ///< samples along a radial line that share their mean chroma; odd
 
   friend bool operator==(const ScanPattern&, const ScanPattern&) = default;
 };
@@ -146,6 +185,27 @@ struct CalibrationRecord {
 
 inline constexpr int kMaxCameraKnobs = 12;
 
+/// What a virtual sensor answers; the first five are the founding paper's.
+enum class SensorKind : std::uint8_t {
+  kBumper,       ///< an obstacle near the robot: enough of the colours in the windows
+  kGoal,         ///< a goal: enough of the colours in the windows
+  kBall,         ///< a ball somewhere in the windows
+  kKick,         ///< the ball lies where it can be kicked: its centre is in the windows
+  kCalibration,  ///< the camera sees its own lens where it should: the dark disc's middle is inside
+  kColour,       ///< any further one: enough of the colours in the windows
+};
+
+/// One virtual sensor: windows of the image and what is looked for in them.
+struct SensorWindows {
+  std::string name;  ///< at most 23 characters, unique
+  SensorKind kind{SensorKind::kColour};
+  std::vector<ColourClass> colours;  ///< not asked by kBall, kKick and kCalibration
+  std::vector<Polygon> windows;
+  double threshold{0.2};  ///< of the value, from which the sensor triggers
+
+  friend bool operator==(const SensorWindows&, const SensorWindows&) = default;
+};
+
 /// Everything the vision must know of one camera.
 struct CameraParameters {
   std::string name;
@@ -159,6 +219,7 @@ struct CameraParameters {
   Mask mask;
   ScanPattern scan;
   std::optional<CalibrationRecord> calibration;  ///< nothing: how well it is known is not known
+  std::vector<SensorWindows> sensors;
 
   friend bool operator==(const CameraParameters&, const CameraParameters&) = default;
 };

@@ -10,12 +10,13 @@
 
 namespace teamsight::vision {
 
-/// The chroma plane cut into classes: each place belongs to the nearest sample whose disc holds it.
+/// The chroma plane cut into classes: each place belongs to the nearest sample whose disc holds it,
+/// else to the first hue sector that does.
 class ColourClasses {
  public:
   explicit ColourClasses(const ColourParameters& parameters);
 
-  /// By chroma alone; kNone where no sample's disc reaches.
+  /// By chroma alone; kNone where neither disc nor sector reaches.
   [[nodiscard]] ColourClass of(Chroma chroma) const {
     return table_[std::size_t{chroma.u} << 8U | chroma.v];
   }

@@ -17,7 +17,11 @@ struct ImageView {
   PixelFormat format{PixelFormat::kBgr};
 };
 
-/// Bytes that one row of `width_px` pixels takes.
+[[nodiscard]] constexpr bool is_bayer(PixelFormat format) {
+  return format >= PixelFormat::kBayerRggb;
+}
+
+/// Bytes that one row of `width_px` pixels takes; of NV12 the luminance alone.
 [[nodiscard]] constexpr std::size_t row_bytes(PixelFormat format, std::uint32_t width_px) {
   switch (format) {
     case PixelFormat::kBgr:
@@ -25,16 +29,40 @@ struct ImageView {
     case PixelFormat::kYuyv:
     case PixelFormat::kUyvy:
       return std::size_t{2} * width_px;
-    case PixelFormat::kGrey:
+    default:
       return width_px;
   }
-  return 0;
 }
 
-/// Whether the view holds exactly the pixels it claims.
+/// Bytes that a whole frame takes.
+[[nodiscard]] constexpr std::size_t frame_bytes(PixelFormat format,
+                                                std::uint32_t width_px,
+                                                std::uint32_t height_px) {
+  const std::size_t rows = row_bytes(format, width_px) * height_px;
+  return format == PixelFormat::kNv12 ? rows + rows / 2 : rows;
+}
+
+/// Whether pixels share their chroma in such a way that the size must be even.
+[[nodiscard]] constexpr bool has_even_size(PixelFormat format,
+                                           std::uint32_t width_px,
+                                           std::uint32_t height_px) {
+  switch (format) {
+    case PixelFormat::kBgr:
+    case PixelFormat::kGrey:
+      return true;
+    case PixelFormat::kYuyv:
+    case PixelFormat::kUyvy:
+      return width_px % 2 == 0;
+    default:
+      return width_px % 2 == 0 && height_px % 2 == 0;
+  }
+}
+
+/// Whether the view holds exactly the pixels it claims, in a size that its format can have.
 [[nodiscard]] constexpr bool is_whole(const ImageView& image) {
   return image.width_px > 0 && image.height_px > 0 &&
-         image.bytes.size() == row_bytes(image.format, image.width_px) * image.height_px;
+         has_even_size(image.format, image.width_px, image.height_px) &&
+         image.bytes.size() == frame_bytes(image.format, image.width_px, image.height_px);
 }
 
 }  // namespace teamsight::vision

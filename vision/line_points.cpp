@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "vision/radial_scan.hpp"
+
 namespace teamsight::vision {
 
 namespace {
@@ -170,13 +172,7 @@ void read_profile(const PixelReader& pixels,
                   std::vector<float>& profile) {
   profile.clear();
   for (const ScanSample& sample : line) {
-    const auto y = [&](std::size_t pixel) {
-      return static_cast<float>(pixels.luminance(pixel));
-    };
-    const float above = y(sample.corner) + sample.right * (y(sample.corner + 1) - y(sample.corner));
-    const std::size_t under = sample.corner + pixels.width();
-    const float below = y(under) + sample.right * (y(under + 1) - y(under));
-    profile.push_back(above + sample.below * (below - above));
+    profile.push_back(luminance_at(pixels, sample));
   }
 }
 

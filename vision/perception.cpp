@@ -8,6 +8,7 @@
 #include "vision/colour_classes.hpp"
 #include "vision/light.hpp"
 #include "vision/pixel_reader.hpp"
+#include "vision/radial_scan.hpp"
 #include "vision/ray_table.hpp"
 #include "vision/scan_lines.hpp"
 
@@ -15,6 +16,7 @@ namespace teamsight::vision {
 
 namespace {
 
+constexpr float kLeastCarpet = 0.03F;     // of the samples
 constexpr double kOffCarpetMargin = 0.3;  // m; nearer to the carpet's edge things are walls
 constexpr double kSigmaTilt = 0.0052;     // rad; 0.3 degrees
 
@@ -56,10 +58,13 @@ struct Perception::Tables {
         rays(model, parameters.width_px, parameters.height_px),
         colours(parameters.colours),
         lines(parameters, model, rays),
+        scan(lines, parameters.scan.chroma_window),
         rules{field.line_width, parameters.scan.min_contrast},
         balls(rays, parameters.mask, model.centre(), perception.ball_radius),
-        obstacles({field.line_width, perception.robot_radius}),
+        obstacles({perception.robot_radius}, lines, model),
         head(head_of(rays)),
+        goals(lines, model),
+        sensors(parameters.sensors, parameters.width_px, parameters.height_px),
         posture(field, head) {
     profile.reserve(lines.longest());
     observation.line_points.reserve(kMaxLinePoints);
@@ -70,17 +75,20 @@ struct Perception::Tables {
   void find_lines(const PixelReader& pixels);
   void locate(const PostureSource& posture_of);
   void find_balls(const PixelReader& pixels);
-  void find_obstacles(const PixelReader& pixels);
+  void find_obstacles();
 
   CameraParameters camera;
   CameraModel model;
   RayTable rays;
   ColourClasses colours;
   ScanLines lines;
+  RadialScan scan;
   LineRules rules;
   BallDetector balls;
   ObstacleDetector obstacles;
   HeadTilt head;
+  GoalDetector goals;
+  VirtualSensors sensors;
   PostureEstimator posture;
   std::vector<float> profile;
   FrameObservation observation;
@@ -90,11 +98,11 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   auto& points = observation.line_points;
   points.clear();
   LightMeter meter;
+  scan.read(pixels, colours, lines);
   for (const ScanRange& range : lines.radial()) {
-    const auto line = lines.samples(range);
-    read_profile(pixels, line, profile);
-    meter.add(profile);
-    find_line_points(pixels, colours, {line, profile}, rules, points);
+    const auto luminance = scan.luminance(range);
+    meter.add(luminance);
+    find_line_points(pixels, colours, {lines.samples(range), luminance}, rules, points);
   }
   for (const ScanRange& range : lines.circular()) {
     const auto line = lines.samples(range);
@@ -102,6 +110,11 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
     find_line_points(pixels, colours, {line, profile}, rules, points);
   }
   observation.light = meter.light();
+  // Well lit, but not a field.
+  if (observation.light == Light::kGood && scan.carpet().share < kLeastCarpet) {
+    observation.light = Light::kUnknown;
+  }
+  observation.carpet = scan.carpet();
 }
 
 void Perception::Tables::locate(const PostureSource& posture_of) {
@@ -128,20 +141,25 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
 void Perception::Tables::find_balls(const PixelReader& pixels) {
   observation.balls.clear();
   observation.ball_pixels.clear();
-  for (const BallCandidate& ball : balls.find(pixels, colours, lines, rays)) {
+  const auto found = balls.find({pixels, colours, lines, rays, scan});
+  for (const BallCandidate& ball : found) {
     observation.balls.push_back(ball.ray);
     observation.ball_pixels.push_back(ball.pixels);
   }
+  const auto values = sensors.read(pixels, colours, found);
+  observation.sensors.assign(values.begin(), values.end());
 }
 
-void Perception::Tables::find_obstacles(const PixelReader& pixels) {
+void Perception::Tables::find_obstacles() {
   observation.obstacles.clear();
   observation.obstacle_pixels.clear();
-  for (const ObstacleCandidate& obstacle : obstacles.find(pixels, colours, lines, model)) {
+  for (const ObstacleCandidate& obstacle : obstacles.find(scan, lines)) {
     if (!is_on_field(obstacle, observation.posture, posture.map().field())) continue;
     observation.obstacles.push_back(obstacle.sighting);
-    observation.obstacle_pixels.push_back({obstacle.u_px, obstacle.v_px});
+    observation.obstacle_pixels.push_back(obstacle.pixels);
   }
+  const auto found_goals = goals.find(scan, lines);
+  observation.goals.assign(found_goals.begin(), found_goals.end());
   const auto free = obstacles.free_space();
   observation.free_space.assign(free.begin(), free.end());
 }
@@ -173,7 +191,7 @@ Result<const FrameObservation*, FrameReject> Perception::see_with(const ImageVie
   tables_->find_lines(pixels);
   tables_->locate(posture_of);
   tables_->find_balls(pixels);
-  tables_->find_obstacles(pixels);
+  tables_->find_obstacles();
   return &tables_->observation;
 }
 

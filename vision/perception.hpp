@@ -18,12 +18,15 @@
 #include "vision/ball_detector.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/camera_parameters.hpp"
+#include "vision/carpet.hpp"
+#include "vision/goal_detector.hpp"
 #include "vision/image.hpp"
 #include "vision/light.hpp"
 #include "vision/line_drift.hpp"
 #include "vision/line_points.hpp"
 #include "vision/obstacle_detector.hpp"
 #include "vision/posture.hpp"
+#include "vision/virtual_sensors.hpp"
 
 namespace teamsight::vision {
 
@@ -43,11 +46,13 @@ struct PerceptionParameters {
 /// Everything one frame says.
 struct FrameObservation {
   PostureEstimate posture;
-  std::vector<BallRay> balls;               ///< best first, at most kMaxBallRays
-  std::vector<BallPixels> ball_pixels;      ///< of the ball with the same index
-  std::vector<ObstacleSighting> obstacles;  ///< nearest first, at most kMaxObstacleSightings
-  std::vector<Pixel> obstacle_pixels;       ///< foot of the obstacle with the same index
-  std::vector<FreeSpace> free_space;        ///< by image direction; nothing under the mask
+  std::vector<BallRay> balls;                   ///< best first, at most kMaxBallRays
+  std::vector<BallPixels> ball_pixels;          ///< of the ball with the same index
+  std::vector<ObstacleSighting> obstacles;      ///< nearest first, at most kMaxObstacleSightings
+  std::vector<ObstaclePixels> obstacle_pixels;  ///< of the obstacle with the same index
+  std::vector<FreeSpace> free_space;            ///< by image direction; nothing under the mask
+  std::vector<SeenGoal> goals;
+  std::vector<SensorValue> sensors;  ///< in the order of the camera file
   std::vector<LinePoint> line_points;
   /// Signed distances of the line points from the paint under `posture`; m. Empty when lost.
   std::vector<double> line_residuals;
@@ -56,6 +61,7 @@ struct FrameObservation {
   DriftEvidence drift;            ///< for a DriftWatch; without points when lost
   bool searched_globally{false};  ///< the posture was found without, or against, the prior
   Light light{Light::kUnknown};
+  Carpet carpet;  ///< as this frame shows it
 };
 
 /// One robot's eye: frames in, observations out.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/angle.hpp"
+#include "vision/polygon.hpp"
 
 namespace teamsight::vision {
 
@@ -33,6 +34,7 @@ class Sampler {
     if (is_masked(mask, direction)) return std::nullopt;
     const Pixel pixel{model_.centre().u + radius * std::cos(direction),
                       model_.centre().v - radius * std::sin(direction)};
+    if (is_hidden(mask, {pixel.u, pixel.v})) return std::nullopt;
     if (pixel.u < 0.0 || pixel.v < 0.0 || pixel.u >= rays_.width() - 1.0 ||
         pixel.v >= rays_.height() - 1.0) {
       return std::nullopt;

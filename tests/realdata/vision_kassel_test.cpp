@@ -116,7 +116,7 @@ TEST_F(KasselFrames, PutsTheLinePointsOfAllFramesOntoTheLines) {
     const auto seen = perception.see(frame.view(), {});
     ASSERT_TRUE(seen);
     const vision::FrameObservation& observation = **seen;
-    tools::draw_sight("realdata-drawings", frame_path(number), frame, field(), observation);
+    tools::draw_sight("realdata-drawings", {frame_path(number), frame, {}}, field(), observation);
     ASSERT_NE(observation.posture.status, PostureStatus::kLost) << "image " << number;
     std::vector<double> inliers;
     std::vector<double> all;
