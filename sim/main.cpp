@@ -26,6 +26,7 @@
 #include "settings/load.hpp"
 #include "sim/robot_camera.hpp"
 #include "sim/setup.hpp"
+#include "vision/image.hpp"
 
 namespace teamsight::sim {
 namespace {
@@ -61,12 +62,11 @@ std::optional<int> parse(Options& options, int argc, const char* const* argv) {
 
 Setup load(const Options& options) {
   Setup setup = load_setup(options.match, options.team, options.seed);
-  const vision::PixelFormat format = setup.camera.format;
-  if ((format != vision::PixelFormat::kYuyv && format != vision::PixelFormat::kUyvy) ||
-      setup.camera.width_px % 2 != 0) {
-    throw std::runtime_error(setup.match.camera.string() +
-                             ": format: found another one, expected YUYV or UYVY of even width "
-                             "for a simulated camera");
+  const vision::CameraParameters& camera = setup.camera;
+  if (!vision::has_even_size(camera.format, camera.width_px, camera.height_px)) {
+    throw std::runtime_error(
+        setup.match.camera.string() + ": size: found " + std::to_string(camera.width_px) + " x " +
+        std::to_string(camera.height_px) + ", expected an even size for this format");
   }
   return setup;
 }

@@ -52,7 +52,7 @@ struct PictureParameters {
 class Renderer {
  public:
   /// @param camera  the eye as it really is: see with_defects
-  /// @pre YUYV and UYVY have even width
+  /// @pre the size is one that the camera's format can have
   Renderer(const vision::CameraParameters& camera,
            const FieldModel& field,
            const PictureParameters& parameters);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/expect.hpp"
+#include "vision/image.hpp"
 
 namespace teamsight::sim {
 namespace {
@@ -25,15 +26,14 @@ Canvas make_noise() {
   return noise;
 }
 
-std::size_t bytes_per_pixel(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::kBgr:
-      return 3;
-    case PixelFormat::kGrey:
-      return 1;
-    default:
-      return 2;
-  }
+// Which of the three channels a pixel of a mosaic sees.
+int mosaic_channel(PixelFormat format, std::size_t row, std::size_t column) {
+  const bool red_is_low = format == PixelFormat::kBayerBggr || format == PixelFormat::kBayerGbrg;
+  const bool red_is_right = format == PixelFormat::kBayerBggr || format == PixelFormat::kBayerGrbg;
+  const bool in_red_row = (row % 2 == 1) == red_is_low;
+  const bool in_red_column = (column % 2 == 1) == red_is_right;
+  if (in_red_row != in_red_column) return 1;
+  return in_red_row ? 0 : 2;
 }
 
 float luminance(const Light& colour) {
@@ -56,7 +56,7 @@ Sensor::Sensor(const SensorParameters& parameters,
       noise_(make_noise()),
       row_(width_),
       ring_{Canvas(width_), Canvas(width_), Canvas(width_)} {
-  TEAMSIGHT_EXPECT(bytes_per_pixel(format_) != 2 || width_ % 2 == 0);
+  TEAMSIGHT_EXPECT(vision::has_even_size(format_, camera.width_px, camera.height_px));
   gain_ = Light(static_cast<float>(parameters.red_gain),
                 static_cast<float>(parameters.green_gain),
                 static_cast<float>(parameters.blue_gain),
@@ -82,7 +82,8 @@ Sensor::Sensor(const SensorParameters& parameters,
 
 void Sensor::develop(const Canvas& light, Random& random, std::vector<std::uint8_t>& out) {
   TEAMSIGHT_EXPECT(light.size() == width_ * height_);
-  out.resize(light.size() * bytes_per_pixel(format_));
+  out.resize(vision::frame_bytes(
+      format_, static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)));
   const Canvas* source = &light;
   if (blur_passes_ > 1) {
     copy_ = light;
@@ -148,20 +149,50 @@ void Sensor::expose_row(std::size_t row, Random& random) {
   }
 }
 
-void Sensor::write_row(std::size_t row, std::vector<std::uint8_t>& out) const {
-  std::uint8_t* to = out.data() + row * width_ * bytes_per_pixel(format_);
-  if (bytes_per_pixel(format_) == 2) {
-    write_pairs(to);
+void Sensor::write_row(std::size_t row, std::vector<std::uint8_t>& out) {
+  std::uint8_t* to =
+      out.data() + row * vision::row_bytes(format_, static_cast<std::uint32_t>(width_));
+  switch (format_) {
+    case PixelFormat::kYuyv:
+    case PixelFormat::kUyvy:
+      write_pairs(to);
+      break;
+    case PixelFormat::kBgr:
+      write_bgr(to);
+      break;
+    case PixelFormat::kNv12:
+      write_shared_chroma(row, out.data() + width_ * height_ + row / 2 * width_);
+      [[fallthrough]];
+    case PixelFormat::kGrey:
+      for (const Light& colour : row_) *to++ = byte(luminance(colour));
+      break;
+    default:
+      for (std::size_t column = 0; column < width_; ++column) {
+        to[column] = byte(row_[column][mosaic_channel(format_, row, column)]);
+      }
+  }
+}
+
+void Sensor::write_bgr(std::uint8_t* out) const {
+  for (const Light& colour : row_) {
+    *out++ = byte(colour[2]);
+    *out++ = byte(colour[1]);
+    *out++ = byte(colour[0]);
+  }
+}
+
+// Two by two pixels share their colour: the first of two rows is kept until the second is there.
+void Sensor::write_shared_chroma(std::size_t row, std::uint8_t* out) {
+  if (row % 2 == 0) {
+    above_ = row_;
     return;
   }
-  for (const Light& colour : row_) {
-    if (format_ == PixelFormat::kGrey) {
-      *to++ = byte(luminance(colour));
-      continue;
-    }
-    *to++ = byte(colour[2]);
-    *to++ = byte(colour[1]);
-    *to++ = byte(colour[0]);
+  for (std::size_t column = 0; column + 1 < width_; column += 2, out += 2) {
+    const Light all =
+        0.25F * (above_[column] + above_[column + 1] + row_[column] + row_[column + 1]);
+    const float grey = luminance(all);
+    out[0] = byte(128.0F + 0.564F * (all[2] - grey));
+    out[1] = byte(128.0F + 0.713F * (all[0] - grey));
   }
 }
 

@@ -43,7 +43,9 @@ class Sensor {
   void blur_once(Canvas& light);
   void blur_along(const Light* from, std::size_t row, Light* to) const;
   void expose_row(std::size_t row, Random& random);
-  void write_row(std::size_t row, std::vector<std::uint8_t>& out) const;
+  void write_row(std::size_t row, std::vector<std::uint8_t>& out);
+  void write_bgr(std::uint8_t* out) const;
+  void write_shared_chroma(std::size_t row, std::uint8_t* out);
   void write_pairs(std::uint8_t* out) const;
 
   SensorParameters parameters_;
@@ -56,6 +58,7 @@ class Sensor {
   std::vector<float> vignette_;     // per pixel
   Canvas noise_;                    // normal, sigma 1
   Canvas row_;                      // what the sensor shows, 0 to 255
+  Canvas above_;                    // the row before, where two share their colour
   std::array<Canvas, 3> ring_;      // three rows, blurred along
   Canvas copy_;                     // of the light, where one pass of blur is not enough
 };

@@ -10,6 +10,7 @@
 #include "sim/show.hpp"
 #include "tests/support/process.hpp"
 #include "vision/perception.hpp"
+#include "vision/pixel_reader.hpp"
 
 namespace teamsight::sim {
 namespace {
@@ -269,6 +270,47 @@ TEST(Renderer, DrawsABallThatPerceptionFindsAsFarAwayAsItLies) {
     const auto foot = vision::meet_plane((*seen)->balls.front().ray_R, 0.11);
     ASSERT_TRUE(foot.has_value());
     EXPECT_NEAR(std::hypot(foot->x, foot->y), distance, 0.035 * distance);
+  }
+}
+
+// The chroma of a mosaic is blurred over three pixels, that of NV12 is shared by four.
+TEST(Renderer, DrawsTheSameColoursInEveryFormat) {
+  using vision::PixelFormat;
+  const FieldModel field = one_line({0.0, -4.0}, {0.0, 4.0});
+  Scene scene;
+  scene.X_FR = {-2.0, 0.0, 0.0};
+  scene.balls = {ball_at(-0.8, 0.3, 0.11)};
+  vision::CameraParameters camera = sim_camera();
+  const auto picture_in = [&](PixelFormat format) {
+    camera.format = format;
+    Renderer renderer(camera, field, plain());
+    Random random(1);
+    std::vector<std::uint8_t> picture;
+    renderer.draw(scene, random, picture);
+    return picture;
+  };
+  const auto expected_bytes = picture_in(PixelFormat::kBgr);
+  const vision::PixelReader expected(
+      {expected_bytes, camera.width_px, camera.height_px, PixelFormat::kBgr});
+
+  for (const PixelFormat format : {PixelFormat::kNv12,
+                                   PixelFormat::kBayerRggb,
+                                   PixelFormat::kBayerBggr,
+                                   PixelFormat::kBayerGrbg,
+                                   PixelFormat::kBayerGbrg}) {
+    const auto bytes = picture_in(format);
+    const vision::PixelReader pixels({bytes, camera.width_px, camera.height_px, format});
+    double luminance_sum = 0.0;
+    double chroma_sum = 0.0;
+    const std::size_t count = std::size_t{camera.width_px} * camera.height_px;
+    for (std::size_t i = 0; i < count; ++i) {
+      luminance_sum += std::abs(pixels.luminance(i) - expected.luminance(i));
+      chroma_sum += std::abs(pixels.chroma(i).u - expected.chroma(i).u) +
+                    std::abs(pixels.chroma(i).v - expected.chroma(i).v);
+    }
+    // A wrong mosaic is wrong by tens: carpet is three times as green as red or blue.
+    EXPECT_LT(luminance_sum / static_cast<double>(count), 2.0);
+    EXPECT_LT(chroma_sum / static_cast<double>(count), 2.0);
   }
 }
 
