@@ -9,6 +9,7 @@ void add_score_command(CLI::App& app, int& exit_code) {
   CLI::App* score = app.add_subcommand("score", "accuracy against truth, beside bounds and peers");
   score->require_subcommand(1);
   add_score_calibrate_command(*score, exit_code);
+  add_score_detect_command(*score, exit_code);
   add_score_locate_command(*score, exit_code);
   add_score_fuse_command(*score, exit_code);
 }

@@ -12,6 +12,10 @@ void add_score_command(CLI::App& app, int& exit_code);
 /// if a robot's floor stays off by more than wanted, 2 on bad input.
 void add_score_calibrate_command(CLI::App& score, int& exit_code);
 
+/// Adds `score detect`: one JSON line per camera, per team and for all. Exit code 0, 2 on bad
+/// input.
+void add_score_detect_command(CLI::App& score, int& exit_code);
+
 /// Adds `score locate`: one JSON line per case and method on stdout, tables on stderr. Exit code 0,
 /// 2 on bad input.
 void add_score_locate_command(CLI::App& score, int& exit_code);

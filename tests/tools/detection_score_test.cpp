@@ -1,0 +1,64 @@
+// tests/tools/detection_score_test.cpp: what counts as found, as false, and as neither.
+#include "tools/detection_score.hpp"
+
+#include <gtest/gtest.h>
+
+namespace teamsight::tools {
+namespace {
+
+TEST(DetectionScore, FindsABallWithinItsRadiusOrFourPixels) {
+  const ImageLabels labels{"x", {{100, 100, 10, true}, {200, 100, 2, true}}, {}, {}};
+
+  const Tally tally = score_balls(labels, {{109, 100, true}, {204, 100, true}, {215, 100, true}});
+
+  EXPECT_EQ(tally.labelled, 2U);
+  EXPECT_EQ(tally.found, 2U);
+  EXPECT_EQ(tally.wrong, 1U);
+  EXPECT_DOUBLE_EQ(tally.precision(), 2.0 / 3.0);
+}
+
+TEST(DetectionScore, NeitherBlamesNorPraisesUncertainBalls) {
+  const ImageLabels labels{"x", {{100, 100, 10, false}}, {}, {}};
+
+  const Tally tally = score_balls(labels, {{100, 100, true}});
+
+  EXPECT_EQ(tally.labelled, 0U);
+  EXPECT_EQ(tally.found, 0U);
+  EXPECT_EQ(tally.wrong, 0U);
+}
+
+TEST(DetectionScore, DoesNotCountWhatIsOffTheCarpetAsFalse) {
+  const Tally tally = score_balls({"x", {}, {}, {}}, {{10, 10, false}});
+
+  EXPECT_EQ(tally.wrong, 0U);
+  EXPECT_EQ(tally.outside, 1U);
+}
+
+TEST(DetectionScore, TakesOneDetectionForOneRobot) {
+  const ImageLabels labels{"x", {}, {{100, 100, true}, {110, 100, true}}, {}};
+
+  const Tally tally = score_robots(labels, {{105, 100, true}});
+
+  EXPECT_EQ(tally.found, 1U);
+  EXPECT_EQ(tally.labelled, 2U);
+}
+
+TEST(DetectionScore, ExcusesObstaclesThatArePeople) {
+  const ImageLabels labels{"x", {}, {}, {{100, 100, false}}};
+
+  const Tally tally = score_robots(labels, {{135, 100, true}, {145, 100, true}});
+
+  EXPECT_EQ(tally.wrong, 1U);
+}
+
+TEST(DetectionScore, KnowsWilsonsInterval) {
+  const Interval interval = wilson(8, 10);  // by hand: 0.4902 ... 0.9433
+
+  EXPECT_NEAR(interval.low, 0.4902, 1e-3);
+  EXPECT_NEAR(interval.high, 0.9433, 1e-3);
+  EXPECT_EQ(wilson(0, 0).low, 0.0);
+  EXPECT_EQ(wilson(0, 0).high, 1.0);
+}
+
+}  // namespace
+}  // namespace teamsight::tools
