@@ -37,7 +37,7 @@ const std::vector<Layer> kLayers = {
     {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/"}},
     {"sim/match/",      {"geometry/"}},
     {"sim/render/",     {"geometry/", "sim/match/",
-                         "vision/camera_parameters.hpp"}},  // numbers only: no geometry is shared
+                         "vision/camera_parameters.hpp", "vision/image.hpp"}},  // numbers and formats: no geometry is shared
     {"sim/",            {"geometry/", "settings/", "bus/", "process/", "vision/",
                          "sim/match/", "sim/render/", "agent/frame_stream.hpp"}},  // the pipe's format
     {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BadCamera, testing::Values(
     Spoilt{"HugeCount", "width_px: 640", "width_px: 4294967296", "2:11", "width_px",
            "4294967296", "a whole number from 16 to 8192"},
     Spoilt{"UnknownFormat", "UYVY", "RGB", "4:9", "format",
-           "'RGB'", "one of BGR, YUYV, UYVY, GREY"},
+           "'RGB'", "one of BGR, YUYV, UYVY, GREY, NV12, BAYER_RGGB, BAYER_BGGR, BAYER_GRBG, BAYER_GBRG"},
     Spoilt{"BlackAboveWhite", "black_max_y: 50", "black_max_y: 150", "16:3", "colours.black_max_y",
            "150", "less than white_min_y, 150"},
     Spoilt{"RimInsideTheBody", "outer_radius_px: 175", "outer_radius_px: 40", "22:3",
