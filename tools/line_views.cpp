@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tools/viewer.hpp"
+#include "vision/polygon.hpp"
 #include "vision/scan_lines.hpp"
 
 namespace teamsight::tools {
@@ -40,7 +41,8 @@ bool is_hidden(const vision::Pixel& pixel, const vision::Pixel& centre, const vi
   const double dv = pixel.v - centre.v;
   const double radius = std::hypot(du, dv);
   return radius < mask.inner_radius_px || radius > mask.outer_radius_px ||
-         vision::is_masked(mask, std::atan2(-dv, du));
+         vision::is_masked(mask, std::atan2(-dv, du)) ||
+         vision::is_hidden(mask, {pixel.u, pixel.v});
 }
 
 std::vector<vision::Pixel> read_list(const fs::path& path, const vision::CameraParameters& camera) {
