@@ -70,22 +70,27 @@ CameraParameters camera() {
   return camera;
 }
 
-// A carpet with rings of paint, a ball and a black pillar, moved a little from frame to frame.
+struct Yuv {
+  std::uint8_t y, u, v;
+};
+
+// A carpet with a ring of paint, a ball and a black pillar, moved a little from frame to frame.
+Yuv colour_at(double du, double dv, int step) {
+  if (std::hypot(du - 60.0 - step, dv + 40.0) < 8.0) return {139, 61, 200};
+  if (std::hypot(du + 70.0, dv - 30.0 - step) < 12.0) return {20, 128, 128};
+  if (std::abs(std::hypot(du, dv) - 100.0 - step) < 3.0) return {220, 128, 128};
+  return {90, 101, 94};
+}
+
 std::vector<std::uint8_t> picture(int step) {
-  std::vector<std::uint8_t> bytes;
-  for (std::uint32_t v = 0; v < kSide; ++v) {
-    for (std::uint32_t u = 0; u < kSide; ++u) {
-      const double du = u - 159.5;
-      const double dv = v - 159.5;
-      const double radius = std::hypot(du, dv);
-      const bool ball = std::hypot(du - 60.0 - step, dv + 40.0) < 8.0;
-      const bool pillar = std::hypot(du + 70.0, dv - 30.0 - step) < 12.0;
-      const bool paint = std::abs(radius - 100.0 - step) < 3.0;
-      bytes.push_back(static_cast<std::uint8_t>(ball ? 139 : pillar ? 20 : paint ? 220 : 90));
-      const bool even = u % 2 == 0;
-      const int chroma = ball ? (even ? 61 : 200) : pillar || paint ? 128 : (even ? 101 : 94);
-      bytes.push_back(static_cast<std::uint8_t>(chroma));
-    }
+  std::vector<std::uint8_t> bytes(std::size_t{kSide} * kSide * 2);
+  for (std::size_t i = 0; i < bytes.size(); i += 2) {
+    const std::size_t u = i / 2 % kSide;
+    const std::size_t v = i / 2 / kSide;
+    const Yuv colour =
+        colour_at(static_cast<double>(u) - 159.5, static_cast<double>(v) - 159.5, step);
+    bytes[i] = colour.y;
+    bytes[i + 1] = u % 2 == 0 ? colour.u : colour.v;
   }
   return bytes;
 }
@@ -93,6 +98,7 @@ std::vector<std::uint8_t> picture(int step) {
 TEST(Allocation, AFrameAsksForNoMemoryOnceTheBuffersHaveGrown) {
   Perception perception(camera(), test_field());
   std::vector<std::vector<std::uint8_t>> frames;
+  frames.reserve(4);
   for (int step = 0; step < 4; ++step) frames.push_back(picture(step));
   for (const auto& frame : frames) {
     ASSERT_TRUE(perception.see({frame, kSide, kSide, PixelFormat::kYuyv}, {}));
