@@ -57,26 +57,33 @@ BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion
   step.mean(2) -= motion.radius;
   step.mean = kept.asDiagonal() * step.mean;
   step.mean(2) += motion.radius;
+  step.lands = step.mean(5) < motion.least_climb;
   step.transition = kept.asDiagonal() * step.transition;
   step.disturbance.bottomRightCorner<3, 3>() += doubt * doubt * Eigen::Matrix3d::Identity();
   return step;
 }
 
-Eigen::Matrix3d mode_transitions(double dt, const BallMotion& motion) {
-  Eigen::Matrix3d to = Eigen::Matrix3d::Zero();
-  const auto within = [dt](double per_second) {
-    return 1.0 - std::exp(-per_second * dt);
-  };
-  to(0, 1) = within(motion.kicks);
-  to(0, 2) = within(motion.high_kicks);
-  to(1, 0) = within(motion.kick_ends);
-  to(1, 2) = within(motion.kick_rises);
-  to(2, 0) = within(motion.landings);
-  to(2, 1) = within(0.2 * motion.landings);
-  for (int i = 0; i < 3; ++i) to(i, i) = std::max(0.0, 1.0 - to.row(i).sum());
-  // A long step: no more than all of it can go elsewhere.
-  for (int i = 0; i < 3; ++i) to.row(i) /= to.row(i).sum();
-  return to;
+BallStep step_kicked(const BallVector& mean, double dt, BallMode into, const BallMotion& motion) {
+  BallStep step;
+  step.transition.setZero();
+  step.transition.topLeftCorner<3, 3>().setIdentity();
+  step.mean = mean;
+  step.mean.head<3>() -= 0.5 * dt * mean.tail<3>();
+  step.mean.tail<3>().setZero();
+  Eigen::Vector3d spread(motion.sigma_kick, motion.sigma_kick, 0.0);
+  if (into == BallMode::kFlying) {
+    step.mean(2) += 0.5 * dt * motion.climb;
+    step.mean(5) = motion.climb;
+    spread.z() = motion.sigma_climb;
+  }
+  const Eigen::Vector3d changed = spread.cwiseAbs2();
+  const Eigen::Vector3d lost = mean.tail<3>().cwiseAbs2();
+  step.disturbance.setZero();
+  step.disturbance.diagonal().head<3>() = dt * dt * (changed / 3.0 + lost / 12.0);
+  step.disturbance.diagonal().tail<3>() = changed;
+  step.disturbance.topRightCorner<3, 3>() = (0.5 * dt * changed).asDiagonal();
+  step.disturbance.bottomLeftCorner<3, 3>() = (0.5 * dt * changed).asDiagonal();
+  return step;
 }
 
 }  // namespace teamsight::fusion

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,106 +13,6 @@
 
 namespace teamsight::fusion {
 namespace {
-
-using Beliefs = std::array<BallBelief, kBallModes>;
-
-// No way of moving is ever excluded: what is not expected may still happen.
-constexpr double kLeastProbability = 1e-4;
-
-std::size_t at(BallMode mode) {
-  return static_cast<std::size_t>(mode);
-}
-
-/// What going over into another mode does to the velocity.
-BallMatrix change_of_velocity(std::size_t from, std::size_t to, const BallMotion& motion) {
-  BallMatrix change = BallMatrix::Zero();
-  if (from == to) return change;
-  const double kick = motion.sigma_kick * motion.sigma_kick;
-  const double climb = motion.sigma_climb * motion.sigma_climb;
-  if (from == at(BallMode::kRolling)) change(3, 3) = change(4, 4) = kick;
-  if (to == at(BallMode::kFlying)) change(5, 5) = climb;
-  return change;
-}
-
-/// On the floor: height and climb are known, whatever was thought before.
-void lay_down(Considered<6>& state, const BallMotion& motion) {
-  const double var = motion.sigma_floor * motion.sigma_floor;
-  for (const int fixed : {2, 5}) {
-    state.cov.row(fixed).setZero();
-    state.cov.col(fixed).setZero();
-    state.cov(fixed, fixed) = var;
-    state.cross.row(fixed).setZero();
-  }
-  state.mean(2) = motion.radius;
-  state.mean(5) = 0.0;
-}
-
-/// One belief as the mixture of what all others would have become of it.
-BallBelief mixed(const Beliefs& before,
-                 const Eigen::Matrix3d& transitions,
-                 std::size_t to,
-                 const BallMotion& motion) {
-  BallBelief belief;
-  belief.state.mean.setZero();
-  belief.state.cov.setZero();
-  std::array<double, kBallModes> share{};
-  for (std::size_t from = 0; from < before.size(); ++from) {
-    share[from] = before[from].probability *
-                  transitions(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(to));
-    belief.probability += share[from];
-  }
-  for (std::size_t from = 0; from < before.size(); ++from) {
-    share[from] /= belief.probability;
-    belief.state.mean += share[from] * before[from].state.mean;
-    belief.state.cross += share[from] * before[from].state.cross;
-  }
-  for (std::size_t from = 0; from < before.size(); ++from) {
-    const BallVector gap = before[from].state.mean - belief.state.mean;
-    belief.state.cov += share[from] * (before[from].state.cov + gap * gap.transpose() +
-                                       change_of_velocity(from, to, motion));
-  }
-  if (to != at(BallMode::kFlying)) lay_down(belief.state, motion);
-  return belief;
-}
-
-BallStep step_of(std::size_t mode, const BallVector& mean, double dt, const BallMotion& motion) {
-  if (mode == at(BallMode::kFlying)) return step_flying(mean, dt, motion);
-  const double psd = mode == at(BallMode::kRolling) ? motion.rolling_psd : motion.kicked_psd;
-  return step_rolling(mean, dt, psd, motion);
-}
-
-BallMoments moments_of(const Beliefs& beliefs) {
-  BallMoments moments;
-  moments.mean.setZero();
-  moments.cov.setZero();
-  for (const BallBelief& belief : beliefs) {
-    moments.mean += belief.probability * belief.state.mean;
-  }
-  for (const BallBelief& belief : beliefs) {
-    const BallVector gap = belief.state.mean - moments.mean;
-    moments.cov += belief.probability * (belief.state.cov + gap * gap.transpose());
-  }
-  return moments;
-}
-
-void normalise(Beliefs& beliefs) {
-  double sum = 0.0;
-  for (BallBelief& belief : beliefs) {
-    belief.probability = std::max(belief.probability, kLeastProbability);
-    sum += belief.probability;
-  }
-  for (BallBelief& belief : beliefs) belief.probability /= sum;
-}
-
-void advance_beliefs(Beliefs& beliefs, double dt, const BallMotion& motion) {
-  const Eigen::Matrix3d transitions = mode_transitions(dt, motion);
-  const Beliefs before = beliefs;
-  for (std::size_t mode = 0; mode < beliefs.size(); ++mode) {
-    beliefs[mode] = mixed(before, transitions, mode, motion);
-    const BallStep step = step_of(mode, beliefs[mode].state.mean, dt, motion);
-    beliefs[mode].state.predict(step.transition, step.mean, step.disturbance);
-  }
-}
 
 /// What is special about balls.
 class BallKind {
@@ -131,7 +32,13 @@ class BallKind {
   }
 
   void predict(BallTrack& track, double dt) const {
-    advance_beliefs(track.beliefs, dt, setting_.motion);
+    advance(track.beliefs, dt, setting_.motion);
+    // Who knows when: often enough to tell instants apart, not so often that they crowd out others.
+    constexpr double kShortest = 0.02;  // s
+    track.since_split += dt;
+    if (track.since_split < kShortest) return;
+    split_off_kicks(track.beliefs, track.since_split, setting_.motion);
+    track.since_split = 0.0;
   }
 
   [[nodiscard]] Eigen::Vector2d place(const BallTrack& track) const {
@@ -149,6 +56,7 @@ class BallKind {
     Gap best;
     best.squared_distance = 1e12;
     for (const BallBelief& belief : track.beliefs) {
+      if (is_anywhere(belief)) continue;
       const Look look = look_at(belief, candidate);
       // A way of moving that is not believed must fit the better.
       const double squared = look.squared - 2.0 * std::log(belief.probability) * kUnlikely;
@@ -160,7 +68,7 @@ class BallKind {
 
   Gap hit(BallTrack& track, const Candidate& candidate) const {
     Gap mean{0.0, 2, 0.0};
-    std::array<double, kBallModes> logs{};
+    std::array<double, kMaxBallBeliefs> logs{};
     for (std::size_t mode = 0; mode < track.beliefs.size(); ++mode) {
       BallBelief& belief = track.beliefs[mode];
       Look look = look_at(belief, candidate);
@@ -172,13 +80,14 @@ class BallKind {
           -0.5 * look.log_determinant - 0.5 * (5.0 + look.degrees) * std::log1p(look.squared / 5.0);
       look.cov += (tail - 1.0) * look.view.cov;
       take_view(belief.state, look.view, errors_, look.cov);
-      if (mode != at(BallMode::kFlying)) settle(belief.state);
+      if (belief.mode == BallMode::kRolling) settle(belief.state);
     }
-    const double best = *std::max_element(logs.begin(), logs.end());
+    const double best = *std::max_element(
+        logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(track.beliefs.size()));
     for (std::size_t mode = 0; mode < track.beliefs.size(); ++mode) {
       track.beliefs[mode].probability *= std::exp(logs[mode] - best);
     }
-    normalise(track.beliefs);
+    tidy(track.beliefs);
     return mean;
   }
 
@@ -192,15 +101,21 @@ class BallKind {
     track.book = first_page(
         candidate.key, {glance_.robot, glance_.exposure, candidate.confidence}, setting_.track);
     const Considered<6> state = on_floor(candidate);
-    track.beliefs[at(BallMode::kRolling)] = {state, 0.7};
-    track.beliefs[at(BallMode::kKicked)] = {state, 0.2};
-    track.beliefs[at(BallMode::kFlying)] = {lifted(state, candidate), 0.1};
+    track.beliefs.push_back({state, BallMode::kRolling, 0.9});
+    track.beliefs.push_back({lifted(state, candidate), BallMode::kFlying, 0.1});
     return track;
   }
 
  private:
   // Of the log of its probability, how much counts against a way of moving in the gate.
   static constexpr double kUnlikely = 0.5;
+
+  /// Too uncertain to say that something seen is this ball: whatever is seen would fit, and what
+  /// is false with it. If it is the ball, a track of its own will soon say so.
+  static bool is_anywhere(const BallBelief& belief) {
+    constexpr double kMostVariance = 1.0;  // m^2, of both floor coordinates together
+    return belief.state.cov(0, 0) + belief.state.cov(1, 1) > kMostVariance;
+  }
 
   struct Look {
     ConsideredView<6, 3> view;
@@ -281,15 +196,18 @@ std::uint32_t take_in(BallList& tracks,
 }
 
 BallMoments moments_at(const BallTrack& track, HostTime now, const BallMotion& motion) {
-  Beliefs beliefs = track.beliefs;
+  BallBeliefs beliefs = track.beliefs;
   // In steps, so that friction and bounces come in time.
   constexpr double kLongestStep = 0.05;  // s
-  double left = to_seconds(now - track.book.time);
+  const double ahead = to_seconds(now - track.book.time);
+  double left = ahead;
   while (left > 1e-9) {
-    advance_beliefs(beliefs, std::min(left, kLongestStep), motion);
+    advance(beliefs, std::min(left, kLongestStep), motion);
     left -= kLongestStep;
   }
-  return moments_of(beliefs);
+  BallMoments moments = moments_of(beliefs);
+  doubt_kicks(moments, std::max(0.0, ahead) + track.since_split, motion);
+  return moments;
 }
 
 }  // namespace teamsight::fusion

@@ -1,35 +1,22 @@
-// fusion/ball_track.hpp: a ball that several robots see: interacting models of how it moves.
+// fusion/ball_track.hpp: a ball that several robots see, and what may have become of it.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "fusion/ball_motion.hpp"
+#include "fusion/ball_beliefs.hpp"
 #include "fusion/ball_view.hpp"
-#include "fusion/considered.hpp"
 #include "fusion/track_book.hpp"
 
 namespace teamsight::fusion {
 
-/// The ball if it moved in one of the ways.
-struct BallBelief {
-  Considered<6> state;
-  double probability{0.0};
-};
-
 struct BallTrack {
   TrackBook book;
-  std::array<BallBelief, kBallModes> beliefs;  ///< index: BallMode
+  BallBeliefs beliefs;
+  double since_split{0.0};  ///< s: since kicks were last thought of
 };
 
 inline constexpr std::size_t kMaxBallTracks = 6;
 using BallList = InlineList<BallTrack, kMaxBallTracks>;
-
-/// Mean and covariance over all ways of moving.
-struct BallMoments {
-  BallVector mean{BallVector::Zero()};
-  BallMatrix cov{BallMatrix::Identity()};
-};
 
 /// How balls move and are tracked.
 struct BallSetting {
@@ -43,8 +30,9 @@ struct BallSightings {
   const std::vector<BallRay>& rays;
 };
 
-/// Takes all ball rays that one frame shows into the tracks, see fusion/turn.hpp. An interacting
-/// multiple model filter [Blom88] over raw rays, so that two robots triangulate a flying ball.
+/// Takes all ball rays that one frame shows into the tracks, see fusion/turn.hpp. A bank of
+/// possibilities (fusion/ball_beliefs.hpp) over raw rays, so that two robots triangulate a flying
+/// ball.
 ///
 /// @return how many candidates fitted no track and were not used to begin one
 std::uint32_t take_in(BallList& tracks,

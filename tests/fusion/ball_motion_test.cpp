@@ -55,13 +55,20 @@ TEST(FlyingBall, BouncesOffTheFloorSlowerAndLessSurely) {
   EXPECT_GT(bounce.disturbance(5, 5), free.disturbance(5, 5));
 }
 
-TEST(BallModes, GoSomewhereWithCertaintyHoweverLongTheStep) {
-  for (const double dt : {1e-3, 0.04, 10.0}) {
-    const Eigen::Matrix3d to = mode_transitions(dt, kMotion);
+TEST(FlyingBall, RollsWhenABounceLeavesNothing) {
+  EXPECT_TRUE(step_flying(moving(kMotion.radius, 1.0, -0.3), kStep, kMotion).lands);
+  EXPECT_FALSE(step_flying(moving(kMotion.radius, 1.0, -3.0), kStep, kMotion).lands);
+}
 
-    EXPECT_GE(to.minCoeff(), 0.0) << dt;
-    EXPECT_LT((to.rowwise().sum() - Eigen::Vector3d::Ones()).norm(), 1e-12) << dt;
-  }
+TEST(KickedBall, HasAnyVelocityFromAnInstantWithinTheStep) {
+  const BallStep kick =
+      step_kicked(moving(kMotion.radius, 2.0, 0.0), kStep, BallMode::kRolling, kMotion);
+
+  const double changed = kMotion.sigma_kick * kMotion.sigma_kick;
+  EXPECT_EQ(kick.mean(3), 0.0);
+  EXPECT_NEAR(kick.mean(0), -0.5 * kStep * 2.0, 1e-12);
+  EXPECT_NEAR(kick.disturbance(3, 3), changed, 1e-12);
+  EXPECT_NEAR(kick.disturbance(0, 0), kStep * kStep * (changed / 3.0 + 4.0 / 12.0), 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+// fusion/ball_beliefs.cpp: see fusion/ball_beliefs.hpp.
+#include "fusion/ball_beliefs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace teamsight::fusion {
+namespace {
+
+// What is less probable than this has not happened.
+constexpr double kLeastProbability = 1e-5;
+// Only what is as probable as this is asked what a kick would make of it.
+constexpr double kWorthSplitting = 0.03;
+
+/// Places in the list for each way of moving: the many instants of a kick along the floor must not
+/// crowd out the rarer one into the air. Index: BallMode.
+constexpr std::array<std::size_t, 2> kPlaces{6, 4};
+static_assert(kPlaces[0] + kPlaces[1] == kMaxBallBeliefs);
+
+/// Makes room for one that moves like this, by forgetting the least probable of its kind.
+void make_room(BallBeliefs& beliefs, BallMode mode) {
+  std::size_t alike = 0;
+  std::size_t least = kMaxBallBeliefs;
+  for (std::size_t i = 0; i < beliefs.size(); ++i) {
+    if (beliefs[i].mode != mode) continue;
+    ++alike;
+    if (least == kMaxBallBeliefs || beliefs[i].probability < beliefs[least].probability) least = i;
+  }
+  if (least == kMaxBallBeliefs) return;
+  if (alike >= kPlaces[static_cast<std::size_t>(mode)] || beliefs.is_full()) beliefs.erase(least);
+}
+
+/// Puts one more in. A new one is always worth more than the old one that was least probable:
+/// nothing seen has spoken against it yet.
+void put(BallBeliefs& beliefs, const BallBelief& belief) {
+  make_room(beliefs, belief.mode);
+  if (!beliefs.is_full()) beliefs.push_back(belief);
+}
+
+void normalise(BallBeliefs& beliefs) {
+  double sum = 0.0;
+  for (const BallBelief& belief : beliefs) sum += belief.probability;
+  for (BallBelief& belief : beliefs) belief.probability /= sum;
+}
+
+bool may_be_kicked(const BallBelief& belief, const BallMotion& motion) {
+  return belief.probability >= kWorthSplitting && belief.state.mean(2) <= motion.foot_reach;
+}
+
+BallBelief kicked(const BallBelief& before, double dt, BallMode into, const BallMotion& motion) {
+  BallBelief belief = before;
+  const BallStep step = step_kicked(before.state.mean, dt, into, motion);
+  belief.mode = into;
+  belief.state.predict(step.transition, step.mean, step.disturbance);
+  if (into == BallMode::kRolling) lay_down(belief.state, motion);
+  return belief;
+}
+
+/// What two beliefs are compared by.
+struct Shape {
+  Eigen::LLT<BallMatrix> factor;
+  double log_determinant{0.0};
+
+  explicit Shape(const BallBelief& belief) : factor(belief.state.cov) {
+    log_determinant = 2.0 * BallMatrix(factor.matrixL()).diagonal().array().log().sum();
+  }
+};
+
+bool is_alike(const BallBelief& a, const Shape& in_a, const BallBelief& b, const Shape& in_b) {
+  constexpr double kMostLogRatio = 1.5;  // of the volumes of their covariances
+  constexpr double kMostDistance = 0.5;  // squared, in standard deviations of either
+  if (a.mode != b.mode) return false;
+  if (std::abs(in_a.log_determinant - in_b.log_determinant) > kMostLogRatio) return false;
+  const BallVector gap = b.state.mean - a.state.mean;
+  return gap.dot(in_a.factor.solve(gap)) < kMostDistance &&
+         gap.dot(in_b.factor.solve(gap)) < kMostDistance;
+}
+
+/// Both as one, with their common mean and covariance.
+BallBelief merged(const BallBelief& a, const BallBelief& b) {
+  BallBelief both = a;
+  both.probability = a.probability + b.probability;
+  const double share = b.probability / both.probability;
+  const BallVector gap = b.state.mean - a.state.mean;
+  both.state.mean += share * gap;
+  both.state.cov = (1.0 - share) * a.state.cov + share * b.state.cov +
+                   share * (1.0 - share) * gap * gap.transpose();
+  both.state.cross = (1.0 - share) * a.state.cross + share * b.state.cross;
+  return both;
+}
+
+void merge_alike(BallBeliefs& beliefs) {
+  for (std::size_t i = 0; i < beliefs.size(); ++i) {
+    const Shape shape(beliefs[i]);
+    for (std::size_t j = beliefs.size(); j-- > i + 1;) {
+      if (!is_alike(beliefs[i], shape, beliefs[j], Shape(beliefs[j]))) continue;
+      beliefs[i] = merged(beliefs[i], beliefs[j]);
+      beliefs.erase(j);
+    }
+  }
+}
+
+}  // namespace
+
+void lay_down(Considered<6>& state, const BallMotion& motion) {
+  const double var = motion.sigma_floor * motion.sigma_floor;
+  for (const int fixed : {2, 5}) {
+    state.cov.row(fixed).setZero();
+    state.cov.col(fixed).setZero();
+    state.cov(fixed, fixed) = var;
+    state.cross.row(fixed).setZero();
+  }
+  state.mean(2) = motion.radius;
+  state.mean(5) = 0.0;
+}
+
+void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
+  for (BallBelief& belief : beliefs) {
+    const BallStep step = belief.mode == BallMode::kFlying
+                              ? step_flying(belief.state.mean, dt, motion)
+                              : step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);
+    belief.state.predict(step.transition, step.mean, step.disturbance);
+    if (!step.lands) continue;
+    belief.mode = BallMode::kRolling;
+    lay_down(belief.state, motion);
+  }
+}
+
+void split_off_kicks(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
+  const double rate = motion.kicks + motion.high_kicks;
+  const double kick = 1.0 - std::exp(-rate * dt);
+  const double low = kick * motion.kicks / rate;
+  const double high = kick - low;
+  const BallBeliefs before = beliefs;
+  for (BallBelief& belief : beliefs) {
+    if (may_be_kicked(belief, motion)) belief.probability *= 1.0 - kick;
+  }
+  for (const BallBelief& belief : before) {
+    if (!may_be_kicked(belief, motion)) continue;
+    BallBelief along = kicked(belief, dt, BallMode::kRolling, motion);
+    BallBelief up = kicked(belief, dt, BallMode::kFlying, motion);
+    along.probability *= low;
+    up.probability *= high;
+    put(beliefs, along);
+    put(beliefs, up);
+  }
+  normalise(beliefs);
+}
+
+void tidy(BallBeliefs& beliefs) {
+  normalise(beliefs);
+  for (std::size_t i = beliefs.size(); i-- > 0;) {
+    if (beliefs[i].probability < kLeastProbability) beliefs.erase(i);
+  }
+  normalise(beliefs);
+  merge_alike(beliefs);
+}
+
+BallMoments moments_of(const BallBeliefs& beliefs) {
+  BallMoments moments;
+  moments.mean.setZero();
+  moments.cov.setZero();
+  for (const BallBelief& belief : beliefs) {
+    moments.mean += belief.probability * belief.state.mean;
+  }
+  for (const BallBelief& belief : beliefs) {
+    const BallVector gap = belief.state.mean - moments.mean;
+    moments.cov += belief.probability * (belief.state.cov + gap * gap.transpose());
+  }
+  return moments;
+}
+
+void doubt_kicks(BallMoments& moments, double dt, const BallMotion& motion) {
+  const double chance = 1.0 - std::exp(-(motion.kicks + motion.high_kicks) * dt);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double old = moments.mean(3 + axis);
+    const double changed = chance * (motion.sigma_kick * motion.sigma_kick + old * old);
+    moments.cov(axis, axis) += changed * dt * dt / 3.0;
+    moments.cov(axis, 3 + axis) += changed * dt / 2.0;
+    moments.cov(3 + axis, axis) += changed * dt / 2.0;
+    moments.cov(3 + axis, 3 + axis) += changed;
+  }
+}
+
+}  // namespace teamsight::fusion

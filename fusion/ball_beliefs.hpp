@@ -1,0 +1,47 @@
+// fusion/ball_beliefs.hpp: what may have become of a ball, each possibility with its probability.
+#pragma once
+
+#include "fusion/ball_motion.hpp"
+#include "fusion/considered.hpp"
+#include "fusion/inline_list.hpp"
+
+namespace teamsight::fusion {
+
+/// The ball if one thing happened.
+struct BallBelief {
+  Considered<6> state;
+  BallMode mode{BallMode::kRolling};
+  double probability{0.0};
+};
+
+inline constexpr std::size_t kMaxBallBeliefs = 10;
+
+/// Probabilities add up to 1. A kick begins a possibility of its own and leaves the others as sharp
+/// as they are: mixed into them, as interacting models [Blom88] do, the chance of a kick in every
+/// frame would keep the velocity of a ball that just rolls as uncertain as 0.8 m/s.
+using BallBeliefs = InlineList<BallBelief, kMaxBallBeliefs>;
+
+/// Mean and covariance over all possibilities.
+struct BallMoments {
+  BallVector mean{BallVector::Zero()};
+  BallMatrix cov{BallMatrix::Identity()};
+};
+
+/// On the floor: height and climb are known, whatever was thought before.
+void lay_down(Considered<6>& state, const BallMotion& motion);
+
+/// Goes on in time. @param dt  s, above 0
+void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion);
+
+/// Adds the possibilities that the ball was kicked within the last `dt` (s).
+void split_off_kicks(BallBeliefs& beliefs, double dt, const BallMotion& motion);
+
+/// Makes one of possibilities that have become alike, forgets the improbable, normalises.
+void tidy(BallBeliefs& beliefs);
+
+[[nodiscard]] BallMoments moments_of(const BallBeliefs& beliefs);
+
+/// Adds what a kick within the last `dt` (s), of which nothing is known, may have changed.
+void doubt_kicks(BallMoments& moments, double dt, const BallMotion& motion);
+
+}  // namespace teamsight::fusion
