@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "vision/camera_parameters.hpp"
@@ -18,21 +19,38 @@ class MirrorProfile {
   /// @pre at least two points by strictly growing x
   explicit MirrorProfile(const std::vector<ProfilePoint>& points);
 
-  /// @param x clamped to the profile
-  [[nodiscard]] double height(double x) const;
+  /// A place on the curve.
+  struct Spot {
+    double height{0.0};  ///< m
+    double slope{0.0};   ///< dy/dx
+  };
 
-  /// dy/dx.
-  [[nodiscard]] double slope(double x) const;
+  /// @param x  beyond the profile it goes on along its tangent
+  [[nodiscard]] Spot at(double x) const;
 
-  [[nodiscard]] double inner() const { return points_.front().x; }
+  [[nodiscard]] double height(double x) const { return at(x).height; }
 
-  [[nodiscard]] double outer() const { return points_.back().x; }
+  [[nodiscard]] double inner() const { return pieces_.front().from; }
+
+  [[nodiscard]] double outer() const { return outer_; }
 
  private:
-  [[nodiscard]] std::size_t piece_of(double x) const;
+  /// Between two points: y = c0 + t (c1 + t (c2 + t c3)), t = x - from.
+  struct Piece {
+    double from{0.0};
+    double c0{0.0};
+    double c1{0.0};
+    double c2{0.0};
+    double c3{0.0};
+  };
 
-  std::vector<ProfilePoint> points_;
-  std::vector<double> bend_;  // second derivative at each point
+  void add_pieces(const std::vector<ProfilePoint>& points, const std::vector<double>& bend);
+  void index_pieces();
+
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> piece_at_;  // of equal parts of the width: the first that reaches in
+  double outer_{0.0};
+  double parts_per_metre_{0.0};
 };
 
 }  // namespace teamsight::vision

@@ -29,52 +29,51 @@ MirrorTrace::MirrorTrace(const ProfileMirror& mirror, double image_right, bool f
       focal_y_(mirror.focal_y_px),
       flipped_(flipped),
       R_CM_(rotation(mirror.tilt_C[0], mirror.tilt_C[1], 0.0)),
-      R_RC_(head_rotation(mirror.head_roll, mirror.head_pitch) * rotation(0.0, 0.0, image_right)),
-      p_RC_(0.0, 0.0, mirror.pinhole_height) {
+      R_RM_(head_rotation(mirror.head_roll, mirror.head_pitch) * rotation(0.0, 0.0, image_right) *
+            R_CM_),
+      p_RC_(0.0, 0.0, mirror.pinhole_height),
+      apex_(profile_.at(0.0).height) {
   // The mirror tilts about its apex and is then moved.
-  const Eigen::Vector3d apex{0.0, 0.0, profile_.height(0.0)};
+  const Eigen::Vector3d apex{0.0, 0.0, apex_};
   const Eigen::Vector3d offset{mirror.offset_C[0], mirror.offset_C[1], mirror.offset_C[2]};
   origin_M_ = R_CM_.transpose() * (-apex - offset) + apex;
 }
 
-std::optional<Eigen::Vector3d> MirrorTrace::hit(const Eigen::Vector3d& origin_M,
-                                                const Eigen::Vector3d& sight_M) const {
+std::optional<MirrorTrace::Hit> MirrorTrace::hit(const Eigen::Vector3d& sight_M) const {
+  // Newton on the height of the mirror above the line of sight, from the apex' height. It converges
+  // quadratically and a mirror bends by some 10 / m: behind a step this small 1e-13 m are left.
+  constexpr double kLastStep = 1e-7;  // m
+  constexpr int kMostSteps = 30;
   if (sight_M.z() <= 1e-6) return std::nullopt;
-  // Newton on the height of the line of sight above the mirror; starts at the apex' height.
-  double t = (profile_.height(0.0) - origin_M.z()) / sight_M.z();
-  Eigen::Vector3d p = origin_M + t * sight_M;
-  for (int i = 0; i < 30; ++i) {
-    const double x = p.head<2>().norm();
-    const double above = p.z() - profile_.height(x);
-    const double outwards = x > 1e-12 ? p.head<2>().dot(sight_M.head<2>()) / x : 0.0;
-    const double closing = sight_M.z() - profile_.slope(x) * outwards;
+  double t = (apex_ - origin_M_.z()) / sight_M.z();
+  bool is_last = false;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Eigen::Vector3d p = origin_M_ + t * sight_M;
+    const double x = std::sqrt(p.x() * p.x() + p.y() * p.y());
+    const auto [height, slope] = profile_.at(x);
+    const Eigen::Vector2d out = x > 1e-12 ? (p.head<2>() / x).eval() : Eigen::Vector2d::Zero();
+    if (is_last) {
+      if (x < profile_.inner() || x > profile_.outer() || t <= 0.0) return std::nullopt;
+      return Hit{p, Eigen::Vector3d(-slope * out.x(), -slope * out.y(), 1.0).normalized()};
+    }
+    const double closing = sight_M.z() - slope * out.dot(sight_M.head<2>());
     if (std::abs(closing) < 1e-9) return std::nullopt;
-    const double change = -above / closing;
+    const double change = (height - p.z()) / closing;
     t += change;
-    p = origin_M + t * sight_M;
-    if (std::abs(change) < 1e-12) break;
+    is_last = std::abs(change) < kLastStep;
   }
-  const double x = p.head<2>().norm();
-  const bool on_mirror =
-      x >= profile_.inner() && x <= profile_.outer() && std::abs(p.z() - profile_.height(x)) < 1e-9;
-  return on_mirror && t > 0.0 ? std::optional(p) : std::nullopt;
+  return std::nullopt;
 }
 
 std::optional<Ray<Robot>> MirrorTrace::trace(double du, double dv) const {
   const Eigen::Vector3d sight_C{du / focal_x_, (flipped_ ? -dv : dv) / focal_y_, 1.0};
   const Eigen::Vector3d sight_M = R_CM_.transpose() * sight_C.normalized();
-  const auto p_M = hit(origin_M_, sight_M);
-  if (!p_M) return std::nullopt;
-  const double x = p_M->head<2>().norm();
-  const double slope = profile_.slope(x);
-  Eigen::Vector3d normal{0.0, 0.0, 1.0};
-  if (x > 1e-12) normal.head<2>() = -slope * p_M->head<2>() / x;
-  normal.normalize();
-  const Eigen::Vector3d away_M = sight_M - 2.0 * sight_M.dot(normal) * normal;
+  const auto seen = hit(sight_M);
+  if (!seen) return std::nullopt;
+  const Eigen::Vector3d away_M = sight_M - 2.0 * sight_M.dot(seen->normal_M) * seen->normal_M;
   Ray<Robot> ray;
-  const Eigen::Vector3d p_C = R_CM_ * (*p_M - origin_M_);
-  ray.origin = Point3<Robot>::from(p_RC_ + R_RC_ * p_C);
-  ray.direction = (R_RC_ * (R_CM_ * away_M)).normalized();
+  ray.origin = Point3<Robot>::from(p_RC_ + R_RM_ * (seen->p_M - origin_M_));
+  ray.direction = R_RM_ * away_M;
   return ray;
 }
 

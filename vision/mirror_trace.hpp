@@ -29,8 +29,13 @@ class MirrorTrace {
   [[nodiscard]] std::optional<Ray<Robot>> trace(double du, double dv) const;
 
  private:
-  [[nodiscard]] std::optional<Eigen::Vector3d> hit(const Eigen::Vector3d& origin_M,
-                                                   const Eigen::Vector3d& sight_M) const;
+  /// Where a line of sight meets the mirror.
+  struct Hit {
+    Eigen::Vector3d p_M;
+    Eigen::Vector3d normal_M;  // downwards or upwards, of length 1
+  };
+
+  [[nodiscard]] std::optional<Hit> hit(const Eigen::Vector3d& sight_M) const;
 
   MirrorProfile profile_;
   double focal_x_;
@@ -38,8 +43,9 @@ class MirrorTrace {
   bool flipped_;
   Eigen::Matrix3d R_CM_;      // M: the mirror's design frame, apex on its z axis
   Eigen::Vector3d origin_M_;  // the pinhole
-  Eigen::Matrix3d R_RC_;
+  Eigen::Matrix3d R_RM_;
   Eigen::Vector3d p_RC_;
+  double apex_;  // height over the pinhole by design; m
 };
 
 }  // namespace teamsight::vision
