@@ -206,7 +206,8 @@ BallMoments moments_at(const BallTrack& track, HostTime now, const BallMotion& m
     left -= kLongestStep;
   }
   BallMoments moments = moments_of(beliefs);
-  doubt_kicks(moments, std::max(0.0, ahead) + track.since_split, motion);
+  // What has been seen is in the possibilities already; only the time since then is open.
+  doubt_kicks(moments, std::max(0.0, ahead), motion);
   return moments;
 }
 
