@@ -1,6 +1,7 @@
 // tools/score_detect_command.cpp: detections in labelled images, counted by camera and by team.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -115,6 +116,7 @@ int score_detect(const ScoreDetectOptions& options) {
   const std::filesystem::path data = options.data;
   const auto rules = read_rules(options.cameras);
   const FieldModel field = unknown_field();
+  if (!options.draw.empty()) std::filesystem::create_directories(options.draw);
   std::map<std::string, Viewer> viewers;
   std::map<std::string, Score> by_camera;
   std::map<std::string, Score> by_team;
@@ -134,7 +136,12 @@ int score_detect(const ScoreDetectOptions& options) {
       sum->robots += score.robots;
     }
     if (!options.draw.empty()) {
-      draw_sight(options.draw, {labels.image, viewed.frame, {}}, field, *viewed.seen);
+      // Teams number their images alike: the folders' names tell them apart.
+      std::string name = std::filesystem::path(labels.image).replace_extension(".png").string();
+      std::replace(name.begin(), name.end(), '/', '_');
+      write_marked_frame(std::filesystem::path(options.draw) / name,
+                         {labels.image, viewed.frame, {}},
+                         *viewed.seen);
     }
   }
   for (const auto& [name, score] : by_camera) print("camera", name, score);
