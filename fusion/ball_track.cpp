@@ -58,7 +58,7 @@ class BallKind {
     for (const BallBelief& belief : track.beliefs) {
       if (is_anywhere(belief)) continue;
       const Look look = look_at(belief, candidate);
-      // A way of moving that is not believed must fit the better.
+      // A possibility that is not believed must fit the better.
       const double squared = look.squared - 2.0 * std::log(belief.probability) * kUnlikely;
       if (squared >= best.squared_distance) continue;
       best = {squared, look.degrees, look.log_determinant};
@@ -69,14 +69,14 @@ class BallKind {
   Gap hit(BallTrack& track, const Candidate& candidate) const {
     Gap mean{0.0, 2, 0.0};
     std::array<double, kMaxBallBeliefs> logs{};
-    for (std::size_t mode = 0; mode < track.beliefs.size(); ++mode) {
-      BallBelief& belief = track.beliefs[mode];
+    for (std::size_t i = 0; i < track.beliefs.size(); ++i) {
+      BallBelief& belief = track.beliefs[i];
       Look look = look_at(belief, candidate);
       mean.degrees = look.degrees;
       mean.squared_distance += belief.probability * look.squared;
       const double tail = tail_factor(look.squared, look.degrees);
-      // Student's t with 5 degrees of freedom, up to what is alike in all modes.
-      logs[mode] =
+      // Student's t with 5 degrees of freedom, up to what is alike in all possibilities.
+      logs[i] =
           -0.5 * look.log_determinant - 0.5 * (5.0 + look.degrees) * std::log1p(look.squared / 5.0);
       look.cov += (tail - 1.0) * look.view.cov;
       take_view(belief.state, look.view, errors_, look.cov);
@@ -84,8 +84,8 @@ class BallKind {
     }
     const double best = *std::max_element(
         logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(track.beliefs.size()));
-    for (std::size_t mode = 0; mode < track.beliefs.size(); ++mode) {
-      track.beliefs[mode].probability *= std::exp(logs[mode] - best);
+    for (std::size_t i = 0; i < track.beliefs.size(); ++i) {
+      track.beliefs[i].probability *= std::exp(logs[i] - best);
     }
     tidy(track.beliefs);
     return mean;
@@ -107,7 +107,7 @@ class BallKind {
   }
 
  private:
-  // Of the log of its probability, how much counts against a way of moving in the gate.
+  // Of the log of its probability, how much counts against a possibility in the gate.
   static constexpr double kUnlikely = 0.5;
 
   /// Too uncertain to say that something seen is this ball: whatever is seen would fit, and what
