@@ -170,9 +170,8 @@ void Service::publish_world(HostTime now, bool leads) {
   // A late observation may have changed which one began a track: names stay as they were said.
   if (leads) fusion_.adopt_ids(last_world_, to_host_time(last_world_.stamp, Duration{0}));
   WorldModel world = fusion_.world_at(now);
-  ++world_count_;
-  world.id = {identity_.robot, identity_.boot, world_count_};
   world.strength = identity_.strength;
+  world.id = {identity_.robot, identity_.boot, ++host_count_};
   host_world_.write(world);
   if (leads) speak(world, now);
   last_world_ = std::move(world);
@@ -180,8 +179,10 @@ void Service::publish_world(HostTime now, bool leads) {
   has_news_ = false;
 }
 
-void Service::speak(const WorldModel& world, HostTime now) {
+// Numbered apart from what the own host gets: what is left out here is not lost.
+void Service::speak(WorldModel& world, HostTime now) {
   if (air_.thrift() >= process::Thrift::kSlowWorld && now - spoken_ < kSlowPeriod) return;
+  world.id.sequence = ++air_count_;
   team_world_.write(world);
   spoken_ = now;
 }

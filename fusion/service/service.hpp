@@ -47,7 +47,7 @@ class Service {
   void publish_explanation(HostTime now);
   void publish_diagnostics(HostTime now);
   void publish_probe(HostTime now);
-  void speak(const WorldModel& world, HostTime now);
+  void speak(WorldModel& world, HostTime now);
 
   ServiceIdentity identity_;
   Fusion fusion_;
@@ -66,7 +66,8 @@ class Service {
   bus::Writer<bus::ClockEcho> echo_;
   bus::Writer<bus::Diagnostics> diagnostics_;
   WorldModel last_world_;
-  std::uint32_t world_count_{0};
+  std::uint32_t host_count_{0};  // models to the own host
+  std::uint32_t air_count_{0};   // models over the air
   std::uint32_t explanation_count_{0};
   HostTime started_{};
   HostTime published_{};

@@ -34,6 +34,18 @@ Duration silence_before_next(FakeTeam& team, RobotId next) {
   return Duration::max();
 }
 
+/// How many models of this fusion a reader must believe to have missed, by their numbers.
+std::size_t missed_of(const FakeTeam& team, RobotId maker) {
+  std::size_t heard = 0;
+  std::size_t newest = 0;
+  for (const auto& world : team.heard()) {
+    if (world.model.id.robot != maker) continue;
+    ++heard;
+    newest = world.model.id.sequence;
+  }
+  return newest - heard;
+}
+
 void expect_the_scene(const WorldModel& world) {
   ASSERT_EQ(world.balls.size(), 1U);
   EXPECT_NEAR(world.balls[0].p_FB.x, FakeTeam::kBall.x, 0.02);
@@ -72,6 +84,8 @@ TEST_F(FusionService, TheNextGoesOnWithTheSameWorldWhenTheLeaderIsKilled) {
   EXPECT_LE(silence_before_next(team_, 2), kHandOver);
   EXPECT_EQ(ids_of(team_.heard().back().model), ids);
   expect_the_scene(team_.heard().back().model);
+  // It has made over a second's models for its own host meanwhile; over the air they do not count.
+  EXPECT_LE(missed_of(team_, 2), 10U);
 
   processes_[1].kill(SIGKILL);
   EXPECT_LE(silence_before_next(team_, 1), kHandOver);
