@@ -111,7 +111,7 @@ Intake Fusion::insert(const Observation& observation, HostTime now) {
   take_in_from(place);
   const State& state = head();
   names_.keep_if([&state](std::uint32_t key) {
-    return contains(state.balls, key) || contains(state.obstacles, key);
+    return contains(state.balls, key) || contains(state.obstacles, key) || key == state.lost_ball;
   });
   return intake;
 }

@@ -115,9 +115,11 @@ std::size_t take_sighted(State& state,
   const Scene scene{glance, state.errors, sighted.obstacles};
   BallSetting ball{parameters.ball_motion, parameters.ball};
   ball.motion.radius = parameters.ball_radius;
+  const BallKeys known = confirmed_keys(state.balls);
   const std::uint32_t unused =
       take_in(state.balls, {sighted.balls, observation.balls}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
+  state.lost_ball = recognise(state.balls, known, state.lost_ball);
   return sighted.balls.size() + sighted.obstacles.size() - unused;
 }
 

@@ -1,6 +1,7 @@
 // fusion/state.hpp: everything fusion believes at one moment, and how one observation changes it.
 #pragma once
 
+#include "fusion/ball_identity.hpp"
 #include "fusion/ball_track.hpp"
 #include "fusion/observation.hpp"
 #include "fusion/parameters.hpp"
@@ -16,6 +17,7 @@ namespace teamsight::fusion {
 /// A plain value; the result of a sequence of observations and of nothing else.
 struct State {
   BallList balls;
+  std::uint32_t lost_ball{0};  ///< key of the track that was given up last; 0: none
   TrackList obstacles;
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
   TeamErrors errors;

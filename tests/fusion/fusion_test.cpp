@@ -138,6 +138,53 @@ TEST(Fusion, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
   EXPECT_EQ(seen_again.balls[0].track, track);
 }
 
+TEST(Fusion, FindsALostBallAgainUnderItsIdWhereverItIs) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 1.0, 8.0, [](Eye&) {});
+  const WorldModel lost = fusion.world_at(at_second(8.0));
+  watch(fusion, eye, kLeftOfBall, 8.0, 8.3, [](Eye& e) { e.see_ball({-1.0, -1.5}); });
+  const WorldModel found = fusion.world_at(at_second(8.3));
+
+  EXPECT_TRUE(lost.balls.empty());
+  ASSERT_EQ(found.balls.size(), 1U);
+  EXPECT_EQ(found.balls[0].track, track);
+}
+
+TEST(Fusion, ABallThatMayBeAnywhereIsTheOneThatIsFoundWithinItsReach) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 3.0, 3.3, [](Eye& e) { e.see_ball({0.0, -0.5}); });
+  const WorldModel found = fusion.world_at(at_second(3.3));
+
+  ASSERT_EQ(found.balls.size(), 1U);
+  EXPECT_EQ(found.balls[0].track, track);
+  EXPECT_NEAR(found.balls[0].p_FB.x, 0.0, 0.1);
+}
+
+TEST(Fusion, ABallSeenBesideAKnownOneIsAnother) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 1.0, 1.5, [](Eye& e) {
+    e.see_ball(kBall);
+    e.see_ball({-1.0, -1.5});
+  });
+  const WorldModel both = fusion.world_at(at_second(1.5));
+
+  ASSERT_EQ(both.balls.size(), 2U);
+  EXPECT_NE(both.balls[0].track, both.balls[1].track);
+  EXPECT_TRUE(both.balls[0].track == track || both.balls[1].track == track);
+}
+
 TEST(Fusion, DoesNotMissABallBehindAnObstacle) {
   Fusion hidden = make_fusion();
   Fusion open = make_fusion();

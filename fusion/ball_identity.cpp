@@ -1,0 +1,79 @@
+// fusion/ball_identity.cpp: see fusion/ball_identity.hpp.
+#include "fusion/ball_identity.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+// Shorter than this a ball that is hidden for a moment is not lost.
+constexpr Duration kShortestLoss = std::chrono::milliseconds(300);
+
+bool contains(const BallKeys& keys, std::uint32_t key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+bool is_within_reach(const BallTrack& lost, const BallTrack& found) {
+  constexpr double kGate = 0.997;
+  const BallMoments a = moments_of(lost.beliefs);
+  const BallMoments b = moments_of(found.beliefs);
+  const Eigen::Vector2d gap_F = a.mean.head<2>() - b.mean.head<2>();
+  const Eigen::Matrix2d cov = a.cov.topLeftCorner<2, 2>() + b.cov.topLeftCorner<2, 2>();
+  return squared_mahalanobis(gap_F, cov) <= chi_square_gate(2, kGate);
+}
+
+/// Whether `found` may be what `lost` was: seen first after the other was seen last.
+bool may_be(const BallTrack& lost, const BallTrack& found) {
+  return lost.book.is_confirmed && found.book.born - lost.book.last_hit >= kShortestLoss &&
+         is_within_reach(lost, found);
+}
+
+/// The track that `found` goes on from, or the list's size.
+std::size_t forerunner_of(const BallTrack& found, const BallList& balls) {
+  std::size_t latest = balls.size();
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (!may_be(balls[i], found)) continue;
+    if (latest == balls.size() || balls[i].book.last_hit > balls[latest].book.last_hit) latest = i;
+  }
+  return latest;
+}
+
+/// The track that was given up last; 0: none ever.
+std::uint32_t last_lost(std::uint32_t lost, const BallKeys& before, const BallKeys& after) {
+  for (const std::uint32_t key : before) {
+    if (!contains(after, key)) lost = key;
+  }
+  return lost;
+}
+
+}  // namespace
+
+BallKeys confirmed_keys(const BallList& balls) {
+  BallKeys keys;
+  for (const BallTrack& ball : balls) {
+    if (ball.book.is_confirmed) keys.push_back(ball.book.key);
+  }
+  return keys;
+}
+
+std::uint32_t recognise(BallList& balls, const BallKeys& before, std::uint32_t lost) {
+  const BallKeys after = confirmed_keys(balls);
+  lost = last_lost(lost, before, after);
+  for (std::size_t i = balls.size(); i-- > 0;) {
+    TrackBook& book = balls[i].book;
+    if (!book.is_confirmed || contains(before, book.key)) continue;
+    if (const std::size_t old = forerunner_of(balls[i], balls); old < balls.size()) {
+      book.key = balls[old].book.key;
+      balls.erase(old);
+      return lost;
+    }
+    const bool is_alone = after.size() == 1;
+    if (is_alone && lost != 0) book.key = std::exchange(lost, 0);
+  }
+  return lost;
+}
+
+}  // namespace teamsight::fusion
