@@ -81,6 +81,14 @@ test_counts() {
   echo "${total:-0} ${failed:-0} $skipped"
 }
 
+# failure_output LOG: what each failed test said, as ctest printed it with its result; at most 60 lines each.
+failure_output() {
+  awk '
+    /^ *[0-9]+\/[0-9]+ Test +#/ { left = /\*\*\*(Failed|Timeout|Exception)/ ? 60 : 0 }
+    /^ +Start +[0-9]+:/ { next }
+    left > 0 { print; --left }' "$1"
+}
+
 # closing_line TOTAL FAILED: in ctest's own words.
 closing_line() {
   local percent=0
