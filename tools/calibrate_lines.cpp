@@ -48,8 +48,8 @@ int calibrate_lines(const LineOptions& options) {
   rules.bundle.max_distance = camera.scan.max_distance;
   rules.reach = options.reach_m;
   rules.max_ground_sigma = options.max_ground_sigma_m;
-  const auto pixels = read_line_views(options.views, camera, field);
-  const auto result = vision::calibrate_lines(vision::LineMap(field), camera, pixels, rules);
+  const LineViews views(options.views, camera, field);
+  const auto result = vision::calibrate_lines(vision::LineMap(field), camera, views, rules);
   for (std::size_t i = 0; i < result.views.size(); ++i) {
     std::cout << view_report(options.views[i], result.views[i]).dump() << '\n';
   }

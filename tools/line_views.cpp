@@ -2,10 +2,12 @@
 #include "tools/line_views.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "tools/viewer.hpp"
 #include "vision/polygon.hpp"
@@ -16,6 +18,10 @@ namespace teamsight::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_list(const fs::path& path) {
+  return path.extension() == ".txt";
+}
 
 std::runtime_error bad_line(const fs::path& path, int line, const std::string& text) {
   return std::runtime_error(path.string() + ":" + std::to_string(line) + ": found \"" + text +
@@ -72,18 +78,25 @@ std::vector<vision::Pixel> paint_middles(const vision::FrameObservation& seen,
   return pixels;
 }
 
-std::vector<std::vector<vision::Pixel>> read_line_views(const std::vector<std::string>& files,
-                                                        const vision::CameraParameters& camera,
-                                                        const FieldModel& field) {
-  Viewer viewer(camera, field);
+LineViews::LineViews(std::vector<std::string> files,
+                     const vision::CameraParameters& camera,
+                     const FieldModel& field)
+    : files_(std::move(files)),
+      field_(field),
+      lists_(files_.size()) {
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    if (is_list(files_[i])) lists_[i] = read_list(files_[i], camera);
+  }
+}
+
+std::vector<std::vector<vision::Pixel>> LineViews::operator()(
+    const vision::CameraParameters& camera) const {
+  Viewer viewer(camera, field_);
   const vision::CameraModel model(camera);
-  std::vector<std::vector<vision::Pixel>> views;
-  for (const std::string& file : files) {
-    if (fs::path(file).extension() == ".txt") {
-      views.push_back(read_list(file, camera));
-    } else {
-      views.push_back(paint_middles(*viewer.look(file, {}).seen, model));
-    }
+  std::vector<std::vector<vision::Pixel>> views = lists_;
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    if (is_list(files_[i])) continue;
+    views[i] = paint_middles(*viewer.look(files_[i], {}).seen, model);
   }
   return views;
 }

@@ -1,7 +1,6 @@
 // tools/line_views.hpp: line pixels for a calibration, from images or from lists.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,18 +11,31 @@
 
 namespace teamsight::tools {
 
-/// Reads the views of a calibration, in order.
+/// The views of a calibration, in order; a vision::LineSource.
 ///
-/// A file that ends in .txt is a list of line pixels, one "u_px v_px" a line; anything else is a
-/// picture or a .raw dump in which the lines are looked for. Pixels under the camera's mask are
-/// left out.
-///
-/// @throws std::runtime_error naming the file: it cannot be read, is no frame of this camera, or a
-///         list holds something else than pixels of its image
-[[nodiscard]] std::vector<std::vector<vision::Pixel>> read_line_views(
-    const std::vector<std::string>& files,
-    const vision::CameraParameters& camera,
-    const FieldModel& field);
+/// A file that ends in .txt is a list of line pixels, one "u_px v_px" a line, that stays as it is;
+/// anything else is a picture or a .raw dump in which the lines are looked for. Pixels under the
+/// camera's mask are left out.
+class LineViews {
+ public:
+  /// @param camera  whose mask and size count for the lists
+  /// @throws std::runtime_error naming the file: a list cannot be read or holds something else than
+  ///         pixels of its image
+  LineViews(std::vector<std::string> files,
+            const vision::CameraParameters& camera,
+            const FieldModel& field);
+
+  /// Reads the pictures and looks for lines through this camera.
+  ///
+  /// @throws std::runtime_error naming the file: it cannot be read or is no frame of this camera
+  [[nodiscard]] std::vector<std::vector<vision::Pixel>> operator()(
+      const vision::CameraParameters& camera) const;
+
+ private:
+  std::vector<std::string> files_;
+  FieldModel field_;
+  std::vector<std::vector<vision::Pixel>> lists_;  // of each file; empty: a picture
+};
 
 /// The pixels of the paint's middle on the floor, as a frame's line points have it; that of the
 /// picture, which is squeezed outwards, lies a little farther in.

@@ -80,21 +80,30 @@ Pose<Field, Robot> somewhere(const FieldModel& field, sim::Random& random) {
           random.uniform(-std::numbers::pi, std::numbers::pi)};
 }
 
-std::vector<std::vector<vision::Pixel>> drive_around(sim::Renderer& renderer,
-                                                     const vision::CameraParameters& camera,
-                                                     const FieldModel& field,
-                                                     std::uint32_t images,
-                                                     sim::Random& random) {
+using Frame = std::vector<std::uint8_t>;
+
+std::vector<Frame> drive_around(sim::Renderer& renderer,
+                                const FieldModel& field,
+                                std::uint32_t images,
+                                sim::Random& random) {
+  std::vector<Frame> frames(images);
+  for (Frame& frame : frames) {
+    sim::Scene scene;
+    scene.X_FR = somewhere(field, random);
+    renderer.draw(scene, random, frame);
+  }
+  return frames;
+}
+
+std::vector<std::vector<vision::Pixel>> find_lines(const std::vector<Frame>& frames,
+                                                   const vision::CameraParameters& camera,
+                                                   const FieldModel& field) {
   vision::Perception perception(camera, field);
   const vision::CameraModel model(camera);
   std::vector<std::vector<vision::Pixel>> views;
-  std::vector<std::uint8_t> bytes;
-  for (std::uint32_t i = 0; i < images; ++i) {
-    sim::Scene scene;
-    scene.X_FR = somewhere(field, random);
-    renderer.draw(scene, random, bytes);
-    const auto seen = perception.see({bytes, camera.width_px, camera.height_px, camera.format}, {});
-    if (seen) views.push_back(paint_middles(**seen, model));
+  for (const Frame& frame : frames) {
+    const auto seen = perception.see({frame, camera.width_px, camera.height_px, camera.format}, {});
+    views.push_back(paint_middles(*seen.value(), model));  // the renderer's frames are whole
   }
   return views;
 }
@@ -107,11 +116,15 @@ RobotScore score_robot(const vision::CameraParameters& camera,
   picture.fineness = options.fineness;
   sim::Renderer renderer(sim::with_defects(camera, sim::draw_defects(seed)), field, picture);
   sim::Random random(seed);
-  const auto views = drive_around(renderer, camera, field, options.images, random);
+  const auto frames = drive_around(renderer, field, options.images, random);
   vision::LineCalibrationRules rules;
   rules.bundle.max_distance = camera.scan.max_distance;
   rules.reach = options.reach_m;
-  const auto found = vision::calibrate_lines(vision::LineMap(field), camera, views, rules);
+  const auto found = vision::calibrate_lines(
+      vision::LineMap(field),
+      camera,
+      [&](const vision::CameraParameters& eye) { return find_lines(frames, eye, field); },
+      rules);
   RobotScore score;
   score.before = ground_error(renderer, vision::CameraModel(camera), options.reach_m);
   score.after = ground_error(renderer, vision::CameraModel(found.camera), options.reach_m);

@@ -68,7 +68,7 @@ vision::LineCalibration calibrate(const std::string& camera_name,
   rules.bundle.max_distance = camera.scan.max_distance;
   rules.max_ground_sigma = 0.03;
   return vision::calibrate_lines(
-      vision::LineMap(field), camera, tools::read_line_views(paths, camera, field), rules);
+      vision::LineMap(field), camera, tools::LineViews(paths, camera, field), rules);
 }
 
 class RealCamera : public ::testing::Test {

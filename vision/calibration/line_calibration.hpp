@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,6 +71,19 @@ struct LineCalibration {
 [[nodiscard]] LineCalibration calibrate_lines(const LineMap& map,
                                               const CameraParameters& camera,
                                               std::span<const std::vector<Pixel>> pixels,
+                                              const LineCalibrationRules& rules);
+
+/// The line pixels of each view, found through a camera. Where the picture shows the middle of the
+/// paint depends on what one pixel means on the floor, and so on the camera.
+///
+/// @return every time the same views in the same order
+using LineSource = std::function<std::vector<std::vector<Pixel>>(const CameraParameters&)>;
+
+/// The same from pictures: the lines are found through `camera`, then again through the camera that
+/// they gave, until it stays where it is.
+[[nodiscard]] LineCalibration calibrate_lines(const LineMap& map,
+                                              const CameraParameters& camera,
+                                              const LineSource& lines,
                                               const LineCalibrationRules& rules);
 
 /// Standard deviation on the floor that a calibration's covariance means, RMS over distances from
