@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
@@ -85,6 +86,35 @@ ordered_json report(const std::string& image, const vision::RingCalibration& cal
   return line;
 }
 
+// Why the rings make no table, and what to do about it; one line.
+std::string refusal_text(const vision::RingCalibration& calibration,
+                         const std::vector<double>& distances) {
+  const vision::RingDoubt& doubt = *calibration.doubt;
+  if (doubt.trouble == vision::RingTrouble::kMissing) {
+    return fmt::format(
+        "no ring was found for {:g} m: the others agree without it; leave it out of --distances",
+        distances[doubt.ring]);
+  }
+  const vision::FoundRing& ring = calibration.rings[doubt.ring];
+  if (doubt.trouble == vision::RingTrouble::kNoRing) {
+    const std::string remedy =
+        doubt.ring == 0
+            ? fmt::format("look from farther out (--inner {:.0f})", ring.mark.radius_px + 5.0)
+            : "give its own distance as well, or cover what shines there";
+    return fmt::format(
+        "the ring at {:.1f} px is not that of {:g} m: without it the others agree; {}",
+        ring.mark.radius_px,
+        ring.mark.distance,
+        remedy);
+  }
+  return fmt::format(
+      "the ring at {:.1f} px, taken for {:g} m, lies {:.1f} px from where the others put it: check "
+      "--distances, --inner and --centre against the picture",
+      ring.mark.radius_px,
+      ring.mark.distance,
+      std::abs(ring.left_out_px));
+}
+
 // The base camera with its table's rows replaced. The centre stays: a calibration picture may be
 // cut out of the frame.
 vision::CameraParameters with_rings(vision::CameraParameters camera,
@@ -111,6 +141,11 @@ int calibrate_rings(const RingOptions& options) {
     return kNo;
   }
   std::cout << report(options.image, *calibration).dump() << std::endl;
+  if (calibration->doubt) {
+    std::cerr << "teamsight: " << options.image << ": "
+              << refusal_text(*calibration, rules.distances) << '\n';
+    return kNo;
+  }
   if (!options.out.empty()) {
     settings::save_camera(options.out,
                           with_rings(camera, *calibration),
@@ -123,7 +158,8 @@ int calibrate_rings(const RingOptions& options) {
 
 void add_calibrate_rings(CLI::App& calibrate, int& exit_code) {
   auto options = std::make_shared<RingOptions>();
-  CLI::App* rings = calibrate.add_subcommand("rings", "From rings at known distances");
+  CLI::App* rings = calibrate.add_subcommand(
+      "rings", "From rings at known distances. Exit 1: too few, or they contradict each other");
   rings->add_option("--base", options->base, "camera file to start from; needs a radial table")
       ->required();
   rings->add_option("--distances", options->distances, "of the rings in m, comma separated")

@@ -32,6 +32,11 @@ constexpr double kOneRing = 1.2;    // of the directions: more bumps than one ri
 constexpr double kShare = 0.35;     // of the directions in which a ring must be seen
 constexpr int kCentreRounds = 6;
 constexpr double kMadToSigma = 1.4826;
+constexpr std::size_t kFewest = 3;  // rings that make a table
+// How far a ring may lie from where the others put it. Real carpets: up to 1.8 px, or 3 % of the
+// way between its neighbours; the robot's edge taken for a ring: 23 px, or 24 %.
+constexpr double kOff = 3.0;       // px
+constexpr double kOffShare = 0.1;  // of the way between its neighbours
 
 struct Bump {
   double direction{0.0};  // of the picture; rad
@@ -289,6 +294,62 @@ void leave_one_out(std::vector<FoundRing>& rings, double height) {
   }
 }
 
+// The k-th radius with the k-th distance.
+std::vector<FoundRing> pair_up(const std::vector<Bump>& bumps,
+                               const std::vector<double>& radii,
+                               const RingRules& rules) {
+  std::vector<FoundRing> rings;
+  const std::size_t count = std::min(radii.size(), rules.distances.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    rings.push_back(measure(bumps, radii, radii[k], rules.distances[k]));
+  }
+  leave_one_out(rings, rules.mirror_height);
+  return rings;
+}
+
+// How far the ring lies off, as a share of what it may.
+double strain(const std::vector<FoundRing>& rings, std::size_t k) {
+  if (k + 1 >= rings.size()) return 0.0;
+  const double inner = k > 0 ? rings[k - 1].mark.radius_px : 0.0;
+  const double way = rings[k + 1].mark.radius_px - inner;
+  return std::abs(rings[k].left_out_px) / std::max(kOff, kOffShare * way);
+}
+
+std::size_t most_strained(const std::vector<FoundRing>& rings) {
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < rings.size(); ++k) {
+    if (strain(rings, k) > strain(rings, worst)) worst = k;
+  }
+  return worst;
+}
+
+// Looks for the one ring, or the one distance, without which all agree best.
+std::optional<RingDoubt> doubt_of(const std::vector<FoundRing>& rings,
+                                  const std::vector<Bump>& bumps,
+                                  const std::vector<double>& radii,
+                                  const RingRules& rules) {
+  const std::size_t worst = most_strained(rings);
+  if (strain(rings, worst) <= 1.0) return std::nullopt;
+  RingDoubt doubt{RingTrouble::kUnclear, worst};
+  double best = 1.0;
+  const auto consider = [&](const std::vector<FoundRing>& without, const RingDoubt& reason) {
+    if (without.size() < kFewest) return;
+    const double left = strain(without, most_strained(without));
+    if (left < best) doubt = reason;
+    best = std::min(best, left);
+  };
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    std::vector<double> fewer = radii;
+    fewer.erase(fewer.begin() + at);
+    consider(pair_up(bumps, fewer, rules), {RingTrouble::kNoRing, k});
+    RingRules shorter = rules;
+    shorter.distances.erase(shorter.distances.begin() + at);
+    consider(pair_up(bumps, radii, shorter), {RingTrouble::kMissing, k});
+  }
+  return doubt;
+}
+
 }  // namespace
 
 Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
@@ -311,13 +372,9 @@ Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
     rules.centre = {rules.centre.u + shift.u, rules.centre.v + shift.v};
     if (std::hypot(shift.u, shift.v) < 0.01) break;
   }
-  RingCalibration result{rules.centre, {}};
-  const std::size_t count = std::min(radii.size(), rules.distances.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    result.rings.push_back(measure(bumps, radii, radii[k], rules.distances[k]));
-  }
-  if (result.rings.size() < 3) return failure(RingFailure::kTooFew);
-  leave_one_out(result.rings, rules.mirror_height);
+  RingCalibration result{rules.centre, pair_up(bumps, radii, rules), {}};
+  if (result.rings.size() < kFewest) return failure(RingFailure::kTooFew);
+  result.doubt = doubt_of(result.rings, bumps, radii, rules);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/result.hpp"
@@ -29,9 +30,22 @@ struct FoundRing {
   double left_out_px{0.0};    ///< radius predicted from the other rings minus the found one
 };
 
+/// What is probably wrong when the rings contradict each other.
+enum class RingTrouble : std::uint8_t {
+  kNoRing,   ///< that one is none: without it the others agree
+  kMissing,  ///< the one at that distance was not found: without the distance they agree
+  kUnclear,  ///< no single one; that one is farthest from where the others put it
+};
+
+struct RingDoubt {
+  RingTrouble trouble{RingTrouble::kUnclear};
+  std::size_t ring{0};  ///< kMissing: of the rules' distances
+};
+
 struct RingCalibration {
   Pixel centre;  ///< of the rings, as fitted
   std::vector<FoundRing> rings;
+  std::optional<RingDoubt> doubt;  ///< nothing: the rings agree, a table may be made of them
 };
 
 enum class RingFailure : std::uint8_t {
@@ -43,7 +57,8 @@ enum class RingFailure : std::uint8_t {
 ///
 /// Bright bumps along 720 directions vote for radii; circles with a common centre are fitted with
 /// medians, so that struts and dirt do not matter. The k-th ring outwards is the k-th distance;
-/// rings that run together beyond are left out.
+/// rings that run together beyond are left out. Where one ring lies far from where the others put
+/// it, the outcome is in doubt.
 [[nodiscard]] Result<RingCalibration, RingFailure> calibrate_rings(const ImageView& image,
                                                                    const RingRules& guess);
 
