@@ -39,11 +39,6 @@ std::string date_now() {
   return {text.data(), size};
 }
 
-Duration wall_minus_host() {
-  const auto wall = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<Duration>(wall) - bus::host_now().time_since_epoch();
-}
-
 /// One file of the recording, being written.
 struct OpenFile {
   OpenFile(const std::filesystem::path& where, const std::string& library)
@@ -58,6 +53,11 @@ struct OpenFile {
 };
 
 }  // namespace
+
+Duration wall_minus_host() {
+  const auto wall = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<Duration>(wall) - bus::host_now().time_since_epoch();
+}
 
 struct Recorder::Impl {
   explicit Impl(RecorderSettings wanted)
@@ -252,6 +252,10 @@ void Recorder::write(ChannelId channel, HostTime received, PeerTime stamp, std::
   entry.stamp.publish_ns = stamp.time_since_epoch().count();
   entry.payload = std::move(payload);
   impl_->push(std::move(entry));
+}
+
+Duration Recorder::log_minus_host() const {
+  return impl_->log_minus_host;
 }
 
 RecorderReport Recorder::report() const {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "geometry/time.hpp"
-#include "recording/mcap_writer.hpp"
+#include "recording/message_sink.hpp"
 
 namespace teamsight::recording {
 
@@ -28,6 +28,10 @@ struct RecorderSettings {
   std::optional<Duration> log_minus_host;
 };
 
+/// What to add to host time now to get the time since 1970; other a moment later if that clock
+/// jumps.
+[[nodiscard]] Duration wall_minus_host();
+
 struct RecorderReport {
   std::string file;             ///< the one that is written; empty: none now
   std::uint64_t bytes{0};       ///< in all files of this recording
@@ -39,12 +43,9 @@ struct RecorderReport {
   friend bool operator==(const RecorderReport&, const RecorderReport&) = default;
 };
 
-/// The channel's number in one Recorder.
-using ChannelId = std::size_t;
-
 /// Records into MCAP files that follow one another. Nothing here waits for the disk: a disk that is
 /// full or slow costs messages, which are counted, and never holds up the caller.
-class Recorder {
+class Recorder : public MessageSink {
  public:
   /// Begins the first file.
   ///
@@ -52,16 +53,14 @@ class Recorder {
   explicit Recorder(RecorderSettings settings);
 
   /// Finishes the file.
-  ~Recorder();
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
+  ~Recorder() override;
 
-  /// Use from one thread, as `write`.
-  ChannelId add_channel(Channel channel);
+  ChannelId add_channel(Channel channel) override;
 
-  /// @param received  when it arrived here
-  /// @param stamp     the writer's own
-  void write(ChannelId channel, HostTime received, PeerTime stamp, std::string payload);
+  [[nodiscard]] bool is_wanted(ChannelId /*channel*/) const override { return true; }
+
+  void write(ChannelId channel, HostTime received, PeerTime stamp, std::string payload) override;
+  [[nodiscard]] Duration log_minus_host() const override;
 
   /// Finishes the file and ends the recording; later messages are dropped.
   void finish();

@@ -20,7 +20,9 @@ using google::protobuf::FileDescriptorSet;
 void add_file(const FileDescriptor& file, std::set<std::string>& known, FileDescriptorSet& files) {
   if (!known.insert(file.name()).second) return;
   for (int i = 0; i < file.dependency_count(); ++i) add_file(*file.dependency(i), known, files);
-  file.CopyTo(files.add_file());
+  google::protobuf::FileDescriptorProto& copy = *files.add_file();
+  file.CopyTo(&copy);
+  file.CopyJsonNameTo(&copy);  // readers of the schema make JSON with these names
 }
 
 }  // namespace

@@ -57,8 +57,10 @@ int log_record(const LogRecord& request) {
                                    keep_trying);
     feeds.add_truth(*match);
   }
+  const FieldModel field = settings::load_field(team.field);
   std::string problem;
   loop.every(std::chrono::seconds(1), [&]() {
+    feeds.draw(field, bus::host_now());
     const std::string now = recorder->report().problem;
     if (!now.empty() && now != problem) std::fprintf(stderr, "teamsight log: %s\n", now.c_str());
     problem = now;

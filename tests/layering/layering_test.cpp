@@ -65,6 +65,7 @@ const std::vector<Edge> kGenerated = {
     {"config.pb.h",     {"settings/", "tests/settings/"}},
     {"mirror.pb.h",     {"settings/", "tests/settings/"}},
     {"monitor.pb.h",    {"monitor/", "tests/monitor/", "tests/system/", "tests/realdata/"}},
+    {"foxglove.pb.h",   {"recording/scene", "tests/recording/"}},
     {"google/protobuf/descriptor.pb.h", {"recording/", "monitor/", "tools/"}},
     {"recording.pb.h",  {"recording/", "monitor/", "tools/", "tests/recording/", "tests/monitor/",
                          "tests/tools/"}},
