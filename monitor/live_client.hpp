@@ -2,57 +2,17 @@
 // web_server.cpp: it brings Boost.Beast along.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
-
-#include "monitor/mailbox.hpp"
-#include "monitor/web_server.hpp"
+#include "monitor/hub.hpp"
 
 namespace teamsight::monitor {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
-namespace websocket = beast::websocket;
-using Tcp = asio::ip::tcp;
-using ErrorCode = beast::error_code;
-
 inline constexpr std::size_t kMaxMessageBytes = 1024;
-
-using Text = std::shared_ptr<const std::string>;
-
-struct Counts {
-  std::atomic<std::uint64_t> accepted{0};
-  std::atomic<std::uint64_t> refused{0};
-  std::atomic<std::uint64_t> overrun{0};
-  std::atomic<std::uint64_t> misbehaved{0};
-  std::atomic<std::uint64_t> clients{0};
-};
-
-class LiveClient;
-
-/// What every connection shares; used on the server's thread only, but for the counts.
-struct Hub {
-  WebServerSettings settings;
-  Counts counts;
-  Text newest_state;
-  std::deque<Text> past_events;
-  std::set<LiveClient*> clients;
-  std::size_t connections{0};
-  std::uint64_t last_client{0};
-  Mailbox mailbox;
-};
 
 /// One browser that watches.
 class LiveClient : public std::enable_shared_from_this<LiveClient> {
@@ -67,12 +27,7 @@ class LiveClient : public std::enable_shared_from_this<LiveClient> {
   LiveClient& operator=(const LiveClient&) = delete;
 
   void start(const http::request<http::string_body>& request) {
-    beast::get_lowest_layer(socket_).expires_never();
-    auto timeout = websocket::stream_base::timeout::suggested(beast::role_type::server);
-    timeout.keep_alive_pings = true;
-    timeout.idle_timeout = std::chrono::seconds(20);
-    socket_.set_option(timeout);
-    socket_.read_message_max(kMaxMessageBytes);
+    set_up(socket_, kMaxMessageBytes);
     socket_.binary(true);
     socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
       if (!error) self->begin();
@@ -150,31 +105,20 @@ class LiveClient : public std::enable_shared_from_this<LiveClient> {
 
   void hear(ErrorCode error) {
     if (error) {
-      const bool left = error == websocket::error::closed || error == asio::error::eof ||
-                        error == asio::error::connection_reset ||
-                        error == asio::error::operation_aborted || error == beast::error::timeout;
-      if (!left) ++hub_.counts.misbehaved;
+      if (!is_farewell(error)) ++hub_.counts.misbehaved;
       leave();
       return;
     }
     std::string bytes = beast::buffers_to_string(incoming_.data());
     incoming_.consume(incoming_.size());
-    if (!socket_.got_binary() || !is_within_rate() || !hub_.mailbox.put({id_, std::move(bytes)})) {
+    if (!socket_.got_binary() || !rate_.allows(hub_.settings.max_requests_per_second) ||
+        !hub_.mailbox.put({id_, std::move(bytes)})) {
       ++hub_.counts.misbehaved;
       leave();
       close(websocket::close_code::policy_error, "more or other than a page says");
       return;
     }
     read_next();
-  }
-
-  bool is_within_rate() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - second_began_ > std::chrono::seconds(1)) {
-      second_began_ = now;
-      said_in_second_ = 0;
-    }
-    return ++said_in_second_ <= hub_.settings.max_requests_per_second;
   }
 
   void close(websocket::close_code code, const char* reason) {
@@ -190,8 +134,7 @@ class LiveClient : public std::enable_shared_from_this<LiveClient> {
   std::string message_;
   std::uint64_t id_{0};
   bool is_refused_{false};
-  std::chrono::steady_clock::time_point second_began_;
-  std::size_t said_in_second_{0};
+  RateLimit rate_;
 };
 
 }  // namespace teamsight::monitor

@@ -129,12 +129,15 @@ bool is_this_computer_only(const std::string& bind) {
   return bind.starts_with("127.") || bind == "::1";
 }
 
+FieldModel field_of(const Options& options, const settings::TeamSettings& team) {
+  return settings::load_field(options.field.empty() ? team.field : options.field);
+}
+
 WebServerSettings web_settings(const Options& options,
                                const settings::TeamSettings& team,
                                const std::string& token,
                                v1::MonitorUpdate greeting = {}) {
-  to_proto(settings::load_field(options.field.empty() ? team.field : options.field),
-           *greeting.mutable_field());
+  to_proto(field_of(options, team), *greeting.mutable_field());
   greeting.set_team(team.name);
   greeting.set_domain_id(options.domains.team_domain.value_or(team.domain_id));
   greeting.set_station_version(TEAMSIGHT_VERSION);
@@ -144,6 +147,9 @@ WebServerSettings web_settings(const Options& options,
   web.files =
       load_web_files(find_web_folder(options.web, std::filesystem::read_symlink("/proc/self/exe")));
   web.greeting = greeting.SerializeAsString();
+  web.name = "teamsight " + team.name;
+  web.session = std::to_string(process::draw_boot_id());
+  web.token = token;
   if (!is_this_computer_only(options.bind)) web.watch_token = token;
   return web;
 }
@@ -155,9 +161,9 @@ void publish(WebServer& server, Recording& recording, const Update& update) {
   events_to_proto(update, events);
   v1::MonitorUpdate pictures;
   thumbnails_to_proto(update, pictures);
-  recording.add_events(events.SerializeAsString(), update.stamp);
-  server.publish(
-      {state.SerializeAsString(), events.SerializeAsString(), pictures.SerializeAsString()});
+  std::string encoded = events.SerializeAsString();
+  recording.add_events(update, encoded);
+  server.publish({state.SerializeAsString(), std::move(encoded), pictures.SerializeAsString()});
 }
 
 void describe(process::ProcessMeter& meter, const WebServer& server) {
@@ -166,6 +172,8 @@ void describe(process::ProcessMeter& meter, const WebServer& server) {
   meter.set("page.refused", counters.refused);
   meter.set("page.overrun", counters.overrun);
   meter.set("page.misbehaved", counters.misbehaved);
+  meter.set("viewers", counters.viewers);
+  meter.set("viewers.dropped", counters.viewer_dropped);
 }
 
 StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
@@ -247,6 +255,7 @@ int run_replay(const Options& options) {
   greeting.set_recording(kPath);
   greeting.set_date_minus_stamp_ns(replay.date_minus_stamp.count());
   WebServerSettings web = web_settings(options, team, token, greeting);
+  web.viewer_notice = "this station shows a recording: open the file itself";
   web.files[kPath] = {"application/octet-stream", std::move(replay.body), true};
   WebServer server(std::move(web));
   server.publish({});  // the greeting goes out with the first state
@@ -261,7 +270,7 @@ int run(const Options& options) {
   const std::uint32_t boot = process::draw_boot_id();
   bus::Loop loop;  // before any thread is started: it takes over the signals
   WebServer server(web_settings(options, team, token));
-  Recording recording(recorder_settings(options, team));
+  Recording recording(recorder_settings(options, team), server);
   say_address(server, token);
   const auto keep_trying = [&loop]() {
     return loop.keeps_running();
@@ -275,6 +284,7 @@ int run(const Options& options) {
   bus::Writer<bus::Command> commands(participant);
   process::ProcessMeter meter("monitor", kNobody, boot);
   process::AirShare air(participant, "monitor");
+  const FieldModel field = field_of(options, team);
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   Operator oper(server, station, desk, referee, commands);
@@ -303,6 +313,7 @@ int run(const Options& options) {
     bus::Diagnostics report = meter.report(bus::host_now());
     air.tell(report);
     diagnostics.write(report);
+    recording.draw(field, bus::host_now());
   });
   air.attach(loop);
   process::report_to_supervisor(loop);

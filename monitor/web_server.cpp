@@ -15,8 +15,10 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "geometry/expect.hpp"
 #include "monitor/live_client.hpp"
 #include "monitor/secret.hpp"
+#include "monitor/viewer/client.hpp"
 
 namespace teamsight::monitor {
 namespace {
@@ -53,6 +55,12 @@ std::string_view token_in(std::string_view target) {
 
 bool may_watch(std::string_view target, const WebServerSettings& settings) {
   return settings.watch_token.empty() || is_same_secret(token_in(target), settings.watch_token);
+}
+
+/// Whether a viewer brings the token: it may then come from another site's page, as that could not
+/// know it.
+bool has_token(std::string_view target, const WebServerSettings& settings) {
+  return !settings.token.empty() && is_same_secret(token_in(target), settings.token);
 }
 
 Response answer_to(const Request& request, const WebServerSettings& settings) {
@@ -110,18 +118,25 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
  private:
   void handle(const Request& request) {
+    const std::string_view target = view_of(request.target());
+    const bool is_upgrade = websocket::is_upgrade(request);
+    const bool is_viewer =
+        is_upgrade && !viewer_protocol(ViewerClient::offered_by(request)).empty();
     const bool is_own =
         is_own_page(view_of(request[http::field::host]), view_of(request[http::field::origin]));
-    if (!is_own) {
+    if (!is_own && !(is_viewer && has_token(target, hub_.settings))) {
       ++hub_.counts.refused;
       respond(request, plain(request, http::status::forbidden, "foreign page\n"));
-    } else if (!websocket::is_upgrade(request)) {
+    } else if (is_viewer) {
+      std::make_shared<ViewerClient>(hub_, std::move(stream_))
+          ->start(request, !may_watch(target, hub_.settings));
+    } else if (!is_upgrade) {
       respond(request, answer_to(request, hub_.settings));
-    } else if (!is_live(view_of(request.target()))) {
+    } else if (!is_live(target)) {
       respond(request, plain(request, http::status::not_found, "WebSocket is under /live\n"));
     } else {
       const auto client = std::make_shared<LiveClient>(hub_, std::move(stream_));
-      if (!may_watch(view_of(request.target()), hub_.settings)) client->refuse();
+      if (!may_watch(target, hub_.settings)) client->refuse();
       client->start(request);
     }
   }
@@ -251,7 +266,21 @@ struct WebServer::Impl {
     }
   }
 
+  void add_channel(recording::Channel channel) {
+    const std::string text = viewer_advertisement(hub.channels.size(), {channel});
+    hub.channels.push_back(std::move(channel));
+    const std::set<ViewerClient*> viewers = hub.viewers;
+    for (ViewerClient* viewer : viewers) viewer->say(text);
+  }
+
+  void send(recording::ChannelId channel, std::int64_t log_ns, std::string payload) const {
+    const auto text = std::make_shared<const std::string>(std::move(payload));
+    const std::set<ViewerClient*> viewers = hub.viewers;
+    for (ViewerClient* viewer : viewers) viewer->push(channel, log_ns, text);
+  }
+
   Hub hub;
+  std::size_t channel_count{0};  // on the caller's thread
   std::string url;
   asio::io_context io{1};
   Tcp::acceptor acceptor{io};
@@ -294,9 +323,33 @@ void WebServer::tell(std::uint64_t client, std::string message) {
   });
 }
 
+recording::ChannelId WebServer::add_channel(recording::Channel channel) {
+  TEAMSIGHT_EXPECT(impl_->channel_count < kMaxChannels);
+  asio::post(impl_->io, [this, moved = std::move(channel)]() mutable {
+    impl_->add_channel(std::move(moved));
+  });
+  return impl_->channel_count++;
+}
+
+bool WebServer::is_wanted(recording::ChannelId channel) const {
+  return impl_->hub.wanted.at(channel) != 0;
+}
+
+void WebServer::send(recording::ChannelId channel, std::int64_t log_ns, std::string payload) {
+  asio::post(impl_->io, [this, channel, log_ns, moved = std::move(payload)]() mutable {
+    impl_->send(channel, log_ns, std::move(moved));
+  });
+}
+
 WebServerCounters WebServer::counters() const {
   const Counts& counts = impl_->hub.counts;
-  return {counts.accepted, counts.refused, counts.overrun, counts.misbehaved, counts.clients};
+  return {counts.accepted,
+          counts.refused,
+          counts.overrun,
+          counts.misbehaved,
+          counts.clients,
+          counts.viewers,
+          counts.viewer_dropped};
 }
 
 }  // namespace teamsight::monitor

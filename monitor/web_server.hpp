@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "monitor/web_files.hpp"
+#include "recording/message_sink.hpp"
 
 namespace teamsight::monitor {
 
@@ -29,7 +30,16 @@ struct WebServerSettings {
   std::size_t remembered_events{64};   ///< a new client is told so many of the past ones
   std::string watch_token;             ///< needed to watch, as /live?token=...; empty: not needed
   std::size_t max_requests_per_second{30};  ///< of one client; one that says more is closed
+
+  std::string name;           ///< what viewers call this station
+  std::string session;        ///< differs for each start
+  std::string token;          ///< lets a viewer's page of another site watch; empty: none may
+  std::string viewer_notice;  ///< said to every viewer; empty: nothing
+  std::size_t max_queued_viewer_bytes{1U << 20U};  ///< of one viewer; older messages are dropped
 };
+
+/// There are never more channels than this.
+inline constexpr std::size_t kMaxChannels = 64;
 
 /// Encoded messages that may be joined end to end (protobuf reads them as one).
 struct Broadcast {
@@ -48,17 +58,21 @@ struct ClientMessage {
 inline constexpr std::uint16_t kTokenNeeded = 4401;
 
 struct WebServerCounters {
-  std::uint64_t accepted{0};    ///< WebSocket connections
-  std::uint64_t refused{0};     ///< foreign origin or too many
-  std::uint64_t overrun{0};     ///< closed because they did not keep up with events
-  std::uint64_t misbehaved{0};  ///< closed because of what they sent
-  std::uint64_t clients{0};     ///< WebSocket connections now
+  std::uint64_t accepted{0};        ///< WebSocket connections
+  std::uint64_t refused{0};         ///< foreign origin or too many
+  std::uint64_t overrun{0};         ///< closed because they did not keep up with events
+  std::uint64_t misbehaved{0};      ///< closed because of what they sent
+  std::uint64_t clients{0};         ///< pages that watch now
+  std::uint64_t viewers{0};         ///< Foxglove-like viewers that watch now
+  std::uint64_t viewer_dropped{0};  ///< messages that viewers did not take in time
 };
 
-/// HTTP for the page's files and WebSocket under /live, on a thread of its own.
+/// HTTP for the page's files and WebSocket under /live, on a thread of its own; to a client that
+/// offers one of Foxglove's subprotocols, under any path, that protocol (viewer/protocol.hpp).
 ///
-/// A page of another origin, and a page that reached us under a foreign name, is refused. What
-/// clients say is bounded in size and rate, and handed on unread.
+/// A page of another origin, and a page that reached us under a foreign name, is refused, but for
+/// a viewer with the token. What clients say is bounded in size and rate; what pages say is handed
+/// on unread.
 class WebServer {
  public:
   /// Listens at once.
@@ -85,6 +99,17 @@ class WebServer {
 
   /// An encoded message for one client; one that has left hears nothing. Any thread.
   void tell(std::uint64_t client, std::string message);
+
+  /// Adds a channel for viewers; those that are connected are told. One thread.
+  ///
+  /// @pre there are fewer than kMaxChannels
+  recording::ChannelId add_channel(recording::Channel channel);
+
+  /// Whether a viewer has subscribed to it. Any thread.
+  [[nodiscard]] bool is_wanted(recording::ChannelId channel) const;
+
+  /// Sends a message to the viewers that have subscribed. Returns at once; any thread.
+  void send(recording::ChannelId channel, std::int64_t log_ns, std::string payload);
 
   /// Any thread.
   [[nodiscard]] WebServerCounters counters() const;

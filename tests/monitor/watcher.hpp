@@ -23,16 +23,20 @@ namespace teamsight::test {
   return socket;
 }
 
-/// One connection to /live. Blocks; the test's time limit bounds it.
+/// One connection to /live, or as a viewer that offers `protocol`. Blocks; the test's time limit
+/// bounds it.
 class Watcher {
  public:
   explicit Watcher(const std::string& host,
                    const std::string& origin = {},
-                   const std::string& target = "/live")
+                   const std::string& target = "/live",
+                   const std::string& protocol = {})
       : socket_(connect_to(io_, host)) {
     using Decorator = boost::beast::websocket::stream_base::decorator;
     socket_.set_option(Decorator([&](boost::beast::websocket::request_type& request) {
-      if (!origin.empty()) request.set(boost::beast::http::field::origin, origin);
+      using Field = boost::beast::http::field;
+      if (!origin.empty()) request.set(Field::origin, origin);
+      if (!protocol.empty()) request.set(Field::sec_websocket_protocol, protocol);
     }));
     socket_.handshake(host, target, error_);
     is_refused_ = error_.failed();
