@@ -138,7 +138,7 @@ WebServerSettings web_settings(const Options& options,
                                const std::string& token,
                                v1::MonitorUpdate greeting = {}) {
   to_proto(field_of(options, team), *greeting.mutable_field());
-  greeting.set_team(team.name);
+  if (greeting.team().empty()) greeting.set_team(team.name);
   greeting.set_domain_id(options.domains.team_domain.value_or(team.domain_id));
   greeting.set_station_version(TEAMSIGHT_VERSION);
   WebServerSettings web;
@@ -253,6 +253,7 @@ int run_replay(const Options& options) {
   }
   v1::MonitorUpdate greeting;
   greeting.set_recording(kPath);
+  greeting.set_team(replay.team);
   greeting.set_date_minus_stamp_ns(replay.date_minus_stamp.count());
   WebServerSettings web = web_settings(options, team, token, greeting);
   web.viewer_notice = "this station shows a recording: open the file itself";

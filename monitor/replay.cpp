@@ -1,6 +1,7 @@
 // monitor/replay.cpp: see monitor/replay.hpp.
 #include "monitor/replay.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -23,6 +24,34 @@ std::uint64_t instance_of(const Message& message) {
   return message.id.robot;
 }
 
+/// What the referee said, told from what it changed; empty: nothing that is told.
+std::string change_of(const bus::GameState& before, const bus::GameState& now) {
+  constexpr std::array kPieces{"",
+                               "kick-off",
+                               "free kick",
+                               "goal kick",
+                               "throw-in",
+                               "corner",
+                               "penalty",
+                               "drop ball",
+                               "park"};
+  constexpr std::array kPhases{
+      "", "before the game", "first half", "half time", "second half", "over", "shoot-out"};
+  if (now.goals_own > before.goals_own) return "goal for us";
+  if (now.goals_opponent > before.goals_opponent) return "goal for them";
+  if (now.phase != before.phase) return kPhases.at(static_cast<std::size_t>(now.phase));
+  const bool is_new = now.piece != before.piece || now.piece_is_ours != before.piece_is_ours;
+  if (now.piece != bus::SetPiece::kNone && is_new) {
+    const bool has_side = now.piece < bus::SetPiece::kDropball;
+    return std::string(!has_side           ? ""
+                       : now.piece_is_ours ? "our "
+                                           : "their ") +
+           kPieces.at(static_cast<std::size_t>(now.piece));
+  }
+  if (now.running != before.running) return now.running ? "START" : "STOP";
+  return {};
+}
+
 /// The station that sees a recording go by, and what it showed.
 class Projector {
  public:
@@ -40,8 +69,7 @@ class Projector {
     hears_[std::string(bus::topic_profile<bus::GameState>().topic)] = [this](auto payload,
                                                                              auto at) {
       const auto game = recording::from_payload<bus::GameState>(payload);
-      if (game) note_game(*game, at);
-      if (game) game_ = RefereeReport{*game, {}, game->box_connected, 0.0, 0, 0};
+      if (game) take_game(*game, at);
       return game.has_value();
     };
     hears_[kEventTopic] = [this](auto payload, auto) {
@@ -57,7 +85,8 @@ class Projector {
 
   void show(HostTime now, Replay& replay) {
     Update update = station_.update(now);
-    if (game_) update.referee = game_;
+    update.referee = game_;
+    if (game_) update.referee->state.command_age += now - game_heard_;
     v1::MonitorUpdate message;
     to_proto(update, message);
     thumbnails_to_proto(update, message);
@@ -89,12 +118,15 @@ class Projector {
     };
   }
 
-  /// Of a recording without the station's own events: where the game was stopped or went on.
-  void note_game(const bus::GameState& game, HostTime at) {
-    const bool was_running = game_ && game_->state.running;
-    if (game.running != was_running) {
-      station_.note(at, Level::kInfo, game.running ? "Referee: START" : "Referee: STOP");
+  /// What changed in the game is also an event where the station's own are missing.
+  void take_game(const bus::GameState& game, HostTime at) {
+    const std::string change = change_of(game_ ? game_->state : bus::GameState{}, game);
+    if (!change.empty()) {
+      station_.note(at, Level::kInfo, "Referee: " + change);
+      last_command_ = change;
     }
+    game_ = RefereeReport{game, last_command_, game.box_connected, 0.0, 0, 0};
+    game_heard_ = at;
   }
 
   bool merge_events() {
@@ -105,6 +137,8 @@ class Projector {
   Station station_;
   bool has_events_;
   std::optional<RefereeReport> game_;
+  HostTime game_heard_;
+  std::string last_command_;
   v1::MonitorUpdate events_;
   v1::MonitorUpdate pending_;  ///< recorded events since the last update
   std::map<std::string, Hear, std::less<>> hears_;

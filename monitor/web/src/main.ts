@@ -88,10 +88,11 @@ function draw(): void {
   processes.draw(update);
   drawLead(update, since);
   drawGame(update);
+  log.draw(player.mode === "live" ? undefined : update.stampNs);
   robotCard.draw(update, player.mode === "live", now);
   plots.take(update);
   if (newest) orders.draw(newest.actions);
-  document.body.dataset["drawnNs"] = String(update.world?.stampNs ?? 0);
+  set(document.body, { "data-drawn-world": String(update.world?.stampNs ?? 0), "data-drawn-update": String(update.stampNs) });
 }
 
 function planDrawing(): void {
@@ -154,16 +155,17 @@ byId("token-form").addEventListener("submit", () => orders.accept((byId("token")
 setTheme(localStorage.getItem("teamsight.theme") ?? "dark");
 
 /** The station shows a recording: all of it is fetched, and there is no present. */
-async function loadRecording(address: string): Promise<void> {
+async function loadRecording(address: string, dateMinusStampNs: bigint): Promise<void> {
   const body = new Uint8Array(await (await fetch(`${address}${orders.token ? `?token=${orders.token}` : ""}`)).arrayBuffer());
   history = new History(RECORDING_BOUNDS);
   player = new Player(history, true);
+  set(document.body, { "data-shows": "recording" });
   shownIndex = -1;
   log.clear();
   for (const bytes of updatesIn(body)) {
     const update = fromBinary(MonitorUpdateSchema, bytes);
     history.push(momentOf(update, bytes));
-    log.add(update.events, update.stampNs, update.dateMinusStampNs);
+    log.add(update.events, update.stampNs, dateMinusStampNs);
   }
   timeline = makeTimeline();
   player.seek(history.firstMs ?? 0, performance.now());
@@ -178,7 +180,7 @@ function take(update: MonitorUpdate, bytes: Uint8Array): void {
   }
   if (update.refused) orders.refuse(update.refused);
   if (update.recording) {
-    if (!player.isRecording) void loadRecording(update.recording);
+    if (!player.isRecording) void loadRecording(update.recording, update.dateMinusStampNs);
     return;
   }
   robotCard.show(update.thumbnails);

@@ -5,6 +5,7 @@ import * as format from "./format";
 import type { BallMark, Scene } from "./scene";
 
 const LONGEST_LOG = 200;
+const MOST_EVENTS = 5000;
 
 function figure(parent: Element, name: string): HTMLElement {
   const box = html("div", "figure", parent);
@@ -97,11 +98,23 @@ export class ProcessCard {
   }
 }
 
-/** The newest event on top. */
+interface LogLine {
+  stampNs: bigint;
+  level: string;
+  text: string;
+  time: string;
+}
+
+/** The newest event on top; of the past those that had happened by then. */
 export class EventLog {
+  private lines: LogLine[] = [];
+  private shown = 0;
+
   constructor(private readonly root: HTMLElement) {}
 
   clear(): void {
+    this.lines = [];
+    this.shown = 0;
     this.root.replaceChildren();
   }
 
@@ -111,13 +124,24 @@ export class EventLog {
    */
   add(events: MonitorEvent[], nowNs: bigint, dateMinusStampNs = 0n): void {
     for (const event of events) {
-      const line = document.createElement("li");
-      line.className = event.level;
-      html("time", "", line, format.timeOfDay(new Date(dateMinusStampNs ? Number(event.stampNs + dateMinusStampNs) / 1e6 : Date.now() - Number(nowNs - event.stampNs) / 1e6)));
-      html("span", "", line, event.text);
-      this.root.prepend(line);
+      const dateMs = dateMinusStampNs ? Number(event.stampNs + dateMinusStampNs) / 1e6 : Date.now() - Number(nowNs - event.stampNs) / 1e6;
+      this.lines.push({ stampNs: event.stampNs, level: event.level, text: event.text, time: format.timeOfDay(new Date(dateMs)) });
     }
-    while (this.root.childElementCount > LONGEST_LOG) this.root.lastElementChild?.remove();
+    if (this.lines.length > MOST_EVENTS) this.lines.splice(0, this.lines.length - MOST_EVENTS);
+    if (events.length > 0) this.shown = -1;
+  }
+
+  /** @param untilNs  the moment that is shown, by the station's clock; undefined: the newest */
+  draw(untilNs: bigint | undefined): void {
+    const happened = untilNs === undefined ? this.lines.length : this.lines.findLastIndex((line) => line.stampNs <= untilNs) + 1;
+    if (happened === this.shown) return;
+    this.shown = happened;
+    this.root.replaceChildren();
+    for (const line of this.lines.slice(Math.max(0, happened - LONGEST_LOG), happened).reverse()) {
+      const item = html("li", line.level, this.root);
+      html("time", "", item, line.time);
+      html("span", "", item, line.text);
+    }
   }
 }
 
