@@ -38,8 +38,11 @@
 namespace teamsight::monitor {
 namespace {
 
-// More is not seen, and costs every client.
-constexpr Duration kUpdatePeriod = std::chrono::milliseconds(34);
+// A new world goes out at once, but not more often than this: more is not seen, and costs every
+// client. Without one the rest is still news. A fusion's 30 Hz, with its jitter, lies between.
+constexpr Duration kShortestPause = std::chrono::milliseconds(25);
+constexpr Duration kLongestPause = std::chrono::milliseconds(50);
+constexpr Duration kPaceCheck = std::chrono::milliseconds(10);
 constexpr Duration kDiagnosticsPeriod = std::chrono::seconds(1);
 constexpr Duration kRepeatPeriod = std::chrono::milliseconds(100);
 
@@ -105,7 +108,6 @@ void pass_on(bus::Loop& loop, Feeds& feeds, Station& station, OrderDesk& desk) {
     });
   });
   pass_on(loop, feeds.sightings, station);
-  pass_on(loop, feeds.worlds, station);
   pass_on(loop, feeds.explanations, station);
   pass_on(loop, feeds.diagnostics, station);
   pass_on(loop, feeds.line_points, station);
@@ -154,6 +156,16 @@ WebServerSettings web_settings(const Options& options,
   return web;
 }
 
+Update update_at(
+    HostTime now, Station& station, Recording& recording, Referee& referee, OrderDesk& desk) {
+  auto recorder = recording.report(station, now);
+  Update update = station.update(now);
+  update.recorder = std::move(recorder);
+  update.referee = referee.report(now);
+  update.actions = desk.report(now);
+  return update;
+}
+
 void publish(WebServer& server, Recording& recording, const Update& update) {
   v1::MonitorUpdate state;
   to_proto(update, state);
@@ -165,6 +177,20 @@ void publish(WebServer& server, Recording& recording, const Update& update) {
   recording.add_events(update, encoded);
   server.publish({state.SerializeAsString(), std::move(encoded), pictures.SerializeAsString()});
 }
+
+/// Whether it is time for an update.
+class Pace {
+ public:
+  /// Is it at least `pause` since the last time that this was true?
+  bool is_due(HostTime now, Duration pause) {
+    if (now - last_ < pause) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  HostTime last_;
+};
 
 void describe(process::ProcessMeter& meter, const WebServer& server) {
   const WebServerCounters counters = server.counters();
@@ -298,17 +324,19 @@ int run(const Options& options) {
   pass_on(loop, feeds, station, desk);
   loop.on_readable(server.event_fd(), [&]() { oper.listen(token); });
   loop.every(kRepeatPeriod, [&]() { oper.repeat(); });
-  loop.every(kUpdatePeriod, [&]() {
-    const process::StepTimer timer(meter);
+  Pace pace;
+  const auto tell = [&](Duration pause) {
     const HostTime now = bus::host_now();
+    if (!pace.is_due(now, pause)) return;
+    const process::StepTimer timer(meter);
     feeds.count(station);
-    auto recorder = recording.report(station, now);
-    Update update = station.update(now);
-    update.recorder = std::move(recorder);
-    update.referee = referee.report(now);
-    update.actions = desk.report(now);
-    publish(server, recording, update);
+    publish(server, recording, update_at(now, station, recording, referee, desk));
+  };
+  loop.on_readable(feeds.worlds.event_fd(), [&]() {
+    feeds.worlds.take(bus::host_now(), [&](const auto& sample) { station.hear(sample); });
+    tell(kShortestPause);
   });
+  loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
     describe(meter, server);
     bus::Diagnostics report = meter.report(bus::host_now());
