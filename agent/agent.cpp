@@ -116,7 +116,7 @@ void Agent::turn() {
   }
   const process::StepTimer timer(meter_);
   const auto seen = perception_->see_with(
-      frame->view(), [&](auto points) { return locator_->see(points, frame->exposure); });
+      frame->view(), [&](const auto& cues) { return locator_->see(cues, frame->exposure); });
   measure_rate(frame->exposure);
   if (!seen.has_value()) {
     count_reject(seen.error());

@@ -16,8 +16,10 @@ Locator::Locator(const FieldModel& field, const vision::LocalisationParameters& 
       state_(localiser_.begin()),
       search_(std::make_unique<SearchThread>(field)) {}
 
-vision::PostureResult Locator::see(std::span<const vision::LinePoint> points, HostTime exposure) {
-  const vision::FrameEvidence frame{exposure, points};
+vision::PostureResult Locator::see(const vision::Perception::Cues& cues, HostTime exposure) {
+  goals_.clear();
+  for (const vision::SeenGoal& goal : cues.goals) goals_.push_back(vision::bearing_of(goal));
+  const vision::FrameEvidence frame{exposure, cues.line_points, goals_};
   const vision::Located located = localiser_.see(state_, frame);
   if (auto request = localiser_.wanted_search(state_, frame)) search_->ask(std::move(*request));
   vision::PostureResult result;

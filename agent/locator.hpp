@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "agent/search_thread.hpp"
 #include "bus/messages.hpp"
@@ -12,6 +12,7 @@
 #include "geometry/identity.hpp"
 #include "geometry/world_model.hpp"
 #include "vision/localisation/localisation.hpp"
+#include "vision/perception.hpp"
 
 namespace teamsight::agent {
 
@@ -21,9 +22,8 @@ class Locator {
  public:
   Locator(const FieldModel& field, const vision::LocalisationParameters& parameters);
 
-  /// Takes one frame's line points in.
-  [[nodiscard]] vision::PostureResult see(std::span<const vision::LinePoint> points,
-                                          HostTime exposure);
+  /// Takes one frame's line points and goals in.
+  [[nodiscard]] vision::PostureResult see(const vision::Perception::Cues& cues, HostTime exposure);
 
   /// What somebody said: put there by hand, or by the coach. @param cov  m, m, rad
   void place(const Pose<Field, Robot>& X_FR, const Eigen::Matrix3d& cov, HostTime when);
@@ -56,8 +56,9 @@ class Locator {
   vision::Localiser localiser_;
   vision::LocalisationState state_;
   std::unique_ptr<SearchThread> search_;
-  std::uint64_t flips_{0};          // of which the team's evidence knows
-  std::uint32_t flipped_after_{0};  // sequence of the last Sightings before the last flip
+  std::vector<vision::GoalBearing> goals_;  // of one frame; kept for its memory
+  std::uint64_t flips_{0};                  // of which the team's evidence knows
+  std::uint32_t flipped_after_{0};          // sequence of the last Sightings before the last flip
 };
 
 }  // namespace teamsight::agent

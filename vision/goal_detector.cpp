@@ -12,15 +12,18 @@ namespace teamsight::vision {
 namespace {
 
 constexpr std::size_t kGap = 4;         // samples of blur between carpet and goal
-constexpr std::size_t kRun = 12;        // samples of colour
+constexpr std::size_t kRun = 12;        // samples of white
+constexpr std::size_t kDeep = 60;       // samples to a coloured back, over a goal's dark floor
 constexpr std::size_t kLeastOfRun = 8;  // of those
 constexpr double kNarrowest = 0.6;      // m; posts and people are narrower
 constexpr double kWidest = 4.0;         // m; walls are wider
 constexpr std::size_t kFewestFeet = 3;
 
-ColourClass goal_colour(ColourClass colour, Surface surface) {
+/// What this sample speaks for. White stands right behind the carpet: farther back it is the hall.
+ColourClass goal_colour(ColourClass colour, Surface surface, std::size_t behind_carpet) {
   if (colour == ColourClass::kBlue || colour == ColourClass::kYellow) return colour;
-  return surface == Surface::kPaint ? ColourClass::kWhite : ColourClass::kNone;
+  const bool is_white = surface == Surface::kPaint && behind_carpet < kGap + kRun;
+  return is_white ? ColourClass::kWhite : ColourClass::kNone;
 }
 
 }  // namespace
@@ -41,17 +44,18 @@ GoalDetector::Behind GoalDetector::behind(const RadialScan& scan,
   const auto surfaces = scan.surfaces(range);
   const std::size_t end = scan.carpet_end(i);
   if (end == 0) return {};
-  const std::size_t last = std::min(classes.size(), end + kGap + kRun);
+  const std::size_t last = std::min(classes.size(), end + kDeep);
   std::array<std::size_t, 16> votes{};
-  std::size_t first_coloured = last;
+  std::array<std::size_t, 16> first_of{};
   for (std::size_t k = end; k < last; ++k) {
-    const ColourClass colour = goal_colour(classes[k], surfaces[k]);
+    const ColourClass colour = goal_colour(classes[k], surfaces[k], k - end);
     if (colour == ColourClass::kNone) continue;
-    first_coloured = std::min(first_coloured, k);
-    ++votes[static_cast<std::size_t>(colour)];
+    const auto index = static_cast<std::size_t>(colour);
+    if (votes[index]++ == 0) first_of[index] = k;
   }
   const auto most = std::ranges::max_element(votes);
   if (*most < kLeastOfRun) return {};
+  const std::size_t first_coloured = first_of[static_cast<std::size_t>(most - votes.begin())];
   const ScanSample& foot = lines.samples(range)[end - 1];
   return {static_cast<ColourClass>(most - votes.begin()),
           static_cast<double>(std::hypot(foot.x, foot.y)),

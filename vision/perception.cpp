@@ -73,6 +73,7 @@ struct Perception::Tables {
   }
 
   void find_lines(const PixelReader& pixels);
+  void find_goals();
   void locate(const PostureSource& posture_of);
   void find_balls(const PixelReader& pixels);
   void find_obstacles();
@@ -117,8 +118,13 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   observation.carpet = scan.carpet();
 }
 
+void Perception::Tables::find_goals() {
+  const auto found = goals.find(scan, lines);
+  observation.goals.assign(found.begin(), found.end());
+}
+
 void Perception::Tables::locate(const PostureSource& posture_of) {
-  const PostureResult result = posture_of(observation.line_points);
+  const PostureResult result = posture_of({observation.line_points, observation.goals});
   observation.posture = result.estimate;
   observation.searched_globally = result.searched_globally;
   observation.line_residuals.clear();
@@ -158,8 +164,6 @@ void Perception::Tables::find_obstacles() {
     observation.obstacles.push_back(obstacle.sighting);
     observation.obstacle_pixels.push_back(obstacle.pixels);
   }
-  const auto found_goals = goals.find(scan, lines);
-  observation.goals.assign(found_goals.begin(), found_goals.end());
   const auto free = obstacles.free_space();
   observation.free_space.assign(free.begin(), free.end());
 }
@@ -175,9 +179,8 @@ Perception& Perception::operator=(Perception&&) noexcept = default;
 
 Result<const FrameObservation*, FrameReject> Perception::see(const ImageView& image,
                                                              const MotionPrior& prior) {
-  return see_with(image, [&](std::span<const LinePoint> points) {
-    return tables_->posture.estimate(points, prior);
-  });
+  return see_with(
+      image, [&](const Cues& cues) { return tables_->posture.estimate(cues.line_points, prior); });
 }
 
 const HeadTilt& Perception::head() const {
@@ -189,6 +192,7 @@ Result<const FrameObservation*, FrameReject> Perception::see_with(const ImageVie
   if (const auto reject = reject_of(image, tables_->camera)) return failure(*reject);
   const PixelReader pixels(image);
   tables_->find_lines(pixels);
+  tables_->find_goals();
   tables_->locate(posture_of);
   tables_->find_balls(pixels);
   tables_->find_obstacles();

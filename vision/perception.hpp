@@ -92,11 +92,17 @@ class Perception {
   [[nodiscard]] Result<const FrameObservation*, FrameReject> see(const ImageView& image,
                                                                  const MotionPrior& prior);
 
-  /// Tells where the robot is, given the line points of the frame being looked at.
-  using PostureSource = std::function<PostureResult(std::span<const LinePoint>)>;
+  /// What a frame shows that may tell where the robot is.
+  struct Cues {
+    std::span<const LinePoint> line_points;
+    std::span<const SeenGoal> goals;
+  };
+
+  /// Tells where the robot is, given the cues of the frame being looked at.
+  using PostureSource = std::function<PostureResult(const Cues&)>;
 
   /// The same for whoever follows the robot over time: `posture_of` is asked once, between the
-  /// lines and what stands on them.
+  /// lines and goals and what stands on the field.
   [[nodiscard]] Result<const FrameObservation*, FrameReject> see_with(
       const ImageView& image, const PostureSource& posture_of);
 

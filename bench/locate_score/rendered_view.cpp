@@ -53,11 +53,11 @@ vision::ImageView RenderedView::image() const {
   return {picture_, camera_.width_px, camera_.height_px, camera_.format};
 }
 
-std::span<const vision::LinePoint> RenderedView::line_points() {
+vision::Perception::Cues RenderedView::cues() {
   const auto seen = perception_.see_with(
-      image(), [](std::span<const vision::LinePoint>) { return vision::PostureResult{}; });
+      image(), [](const vision::Perception::Cues&) { return vision::PostureResult{}; });
   if (!seen) return {};
-  return (*seen)->line_points;
+  return {(*seen)->line_points, (*seen)->goals};
 }
 
 }  // namespace teamsight::locate_score

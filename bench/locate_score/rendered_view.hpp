@@ -37,8 +37,10 @@ class RenderedView {
   /// Blinds the camera in the frame drawn last.
   void blind(const Glare& glare);
 
-  /// Line points of the frame drawn last; valid until the next call.
-  [[nodiscard]] std::span<const vision::LinePoint> line_points();
+  /// Line points and goals of the frame drawn last; valid until the next call.
+  [[nodiscard]] vision::Perception::Cues cues();
+
+  [[nodiscard]] std::span<const vision::LinePoint> line_points() { return cues().line_points; }
 
   [[nodiscard]] vision::ImageView image() const;
 

@@ -43,7 +43,7 @@ Locator settled_at(const Pose<Field, Robot>& X_FR) {
   Locator locator = make_locator();
   locator.place(X_FR, 0.01 * Eigen::Matrix3d::Identity(), at(10.0));
   for (int i = 1; i < 5; ++i) {
-    EXPECT_EQ(locator.see(points_at(X_FR), at(10.0 + 0.03 * i)).estimate.status,
+    EXPECT_EQ(locator.see({points_at(X_FR), {}}, at(10.0 + 0.03 * i)).estimate.status,
               PostureStatus::kOk);
   }
   return locator;
@@ -63,9 +63,9 @@ TEST(Locator, FindsItselfByASearchInTheBackground) {
   Locator locator = make_locator();
   const Pose<Field, Robot> truth(-4.0, 2.0, 0.7);
 
-  const PostureEstimate first = locator.see(points_at(truth), at(10.0)).estimate;
+  const PostureEstimate first = locator.see({points_at(truth), {}}, at(10.0)).estimate;
   wait_for_answer(locator);
-  const PostureEstimate second = locator.see(points_at(truth), at(10.03)).estimate;
+  const PostureEstimate second = locator.see({points_at(truth), {}}, at(10.03)).estimate;
 
   EXPECT_EQ(first.status, PostureStatus::kLost);
   EXPECT_EQ(second.status, PostureStatus::kOk);
@@ -93,7 +93,7 @@ TEST(Locator, TurnsOverWhenTheTeamIsSureAndKeepsItsOwnOddsApart) {
   locator.hear(world_of(-9.0, 5), 3, 5);
   PostureEstimate posture;
   for (int i = 0; i < 6; ++i) {
-    posture = locator.see(points_at(truth), at(10.2 + 0.03 * i)).estimate;
+    posture = locator.see({points_at(truth), {}}, at(10.2 + 0.03 * i)).estimate;
   }
 
   EXPECT_THAT(posture.X_FR.origin(), IsNear(mirrored(truth).origin(), 0.05));
@@ -105,7 +105,7 @@ TEST(Locator, DoesNotHearEvidenceAboutThePostureBeforeItTurnedOver) {
   const Pose<Field, Robot> truth(3.0, 2.0, 0.5);
   Locator locator = settled_at(truth);
   locator.hear(world_of(-9.0, 5), 3, 5);
-  for (int i = 0; i < 6; ++i) (void)locator.see(points_at(truth), at(10.2 + 0.03 * i));
+  for (int i = 0; i < 6; ++i) (void)locator.see({points_at(truth), {}}, at(10.2 + 0.03 * i));
 
   locator.hear(world_of(-9.0, 11), 3, 11);
   EXPECT_NEAR(locator.team_log_odds(), 9.0, 1e-9);

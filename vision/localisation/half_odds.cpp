@@ -38,7 +38,26 @@ double gap_to_goal(const Pose<Field, Robot>& X_FR,
   return least;
 }
 
+GoalColour colour_of(ColourClass colour) {
+  switch (colour) {
+    case ColourClass::kBlue:
+      return GoalColour::kBlue;
+    case ColourClass::kYellow:
+      return GoalColour::kYellow;
+    case ColourClass::kWhite:
+      return GoalColour::kWhite;
+    default:
+      return GoalColour::kNone;
+  }
+}
+
 }  // namespace
+
+GoalBearing bearing_of(const SeenGoal& goal) {
+  constexpr double kShareOfWidth = 0.3;  // an even spread over a width has this sigma
+  const double width = std::abs(angle_difference(goal.left, goal.right));
+  return {colour_of(goal.colour), goal.azimuth, kLeastSigma + kShareOfWidth * width};
+}
 
 double half_log_odds_from_compass(const Pose<Field, Robot>& X_FR, const CompassReading& compass) {
   const double gap = angle_difference(X_FR.theta(), compass.heading);

@@ -9,6 +9,7 @@
 #include "geometry/field_model.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/time.hpp"
+#include "vision/goal_detector.hpp"
 
 namespace teamsight::vision {
 
@@ -25,6 +26,10 @@ struct GoalBearing {
   double azimuth{0.0};  ///< of its middle in R; rad
   double sigma{0.1};    ///< rad
 };
+
+/// The bearing of a goal found in a frame. Of one that is partly hidden the middle is not seen:
+/// it may lie anywhere within a goal's width.
+[[nodiscard]] GoalBearing bearing_of(const SeenGoal& goal);
 
 /// Log-odds that `X_FR` is right rather than its mirror image, from one compass reading. One
 /// reading in twenty is taken to say nothing: motors have magnets.
