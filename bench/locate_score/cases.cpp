@@ -6,6 +6,9 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <span>
+
+#include <Eigen/Geometry>
 
 #include "bench/locate_score/methods.hpp"
 #include "bench/locate_score/rendered_view.hpp"
@@ -16,7 +19,6 @@ namespace {
 
 constexpr double kMargin = 0.3;  // m, of the poses from the outer lines
 constexpr std::size_t kRobots = 10;
-constexpr std::size_t kFewestOfAPart = 200;
 constexpr double kFaultRange = 6.0;  // m, at which a bend is given
 
 Pose<Field, Robot> draw_prior(const Pose<Field, Robot>& truth, std::mt19937& random) {
@@ -103,18 +105,31 @@ Spoil hide(double share) {
   };
 }
 
-// Adds false points, so that they are this share of all.
+// The covariance of the point whose distance comes nearest, turned to this direction.
+Eigen::Matrix2d cov_at(std::span<const vision::LinePoint> points, const Point<Robot>& p_R) {
+  const double distance = p_R.vector().norm();
+  const auto like = std::ranges::min_element(points, {}, [distance](const vision::LinePoint& one) {
+    return std::abs(one.p_R.vector().norm() - distance);
+  });
+  const double turn = std::atan2(p_R.y, p_R.x) - std::atan2(like->p_R.y, like->p_R.x);
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
+  return rotation * like->cov_R * rotation.transpose();
+}
+
+// Adds false points, so that they are this share of all; each as uncertain as a true one so far
+// out.
 Spoil falsify(double share) {
   return [share](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& random) {
     if (points.empty()) return;
     std::uniform_real_distribution<double> unit(0.0, 1.0);
-    const auto more =
-        static_cast<std::size_t>(static_cast<double>(points.size()) * share / (1.0 - share));
+    const std::size_t honest = points.size();
+    const auto more = static_cast<std::size_t>(static_cast<double>(honest) * share / (1.0 - share));
     for (std::size_t i = 0; i < more; ++i) {
-      vision::LinePoint point = points[i % points.size()];
+      vision::LinePoint point = points[i % honest];
       const double r = kFaultRange * std::sqrt(unit(random));
       const double a = 2.0 * std::numbers::pi * unit(random);
       point.p_R = {r * std::cos(a), r * std::sin(a)};
+      point.cov_R = cov_at({points.data(), honest}, point.p_R);
       points.push_back(point);
     }
   };
@@ -201,7 +216,7 @@ std::vector<CaseResult> run_faults(const CaseOptions& options) {
   std::vector<CaseResult> results;
   const auto part = [&](const std::string& detail, const Plan& given) {
     Plan plan = given;
-    plan.poses = std::max(kFewestOfAPart, options.poses / 5);
+    plan.poses = options.poses;
     const auto number = static_cast<std::uint32_t>(results.size());
     std::mt19937 random(options.seed + 10 + number);
     Methods methods(
@@ -223,7 +238,7 @@ std::vector<CaseResult> run_faults(const CaseOptions& options) {
   Methods methods(
       options.other_field, parameters_for(elsewhere, false), {.rivals = options.rivals}, 5);
   Plan plan;
-  plan.poses = std::max(kFewestOfAPart, options.poses / 5);
+  plan.poses = options.poses;
   play(plan, elsewhere, options.other_field, methods, random);
   results.push_back({"faults", "field " + options.other_field.name, methods.tallies()});
   return results;

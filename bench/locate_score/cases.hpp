@@ -51,8 +51,8 @@ struct CalibrationRemainder {
 [[nodiscard]] CaseResult run_hardware(const CaseOptions& options,
                                       const CalibrationRemainder& remainder);
 
-/// (c) Hidden lines, false white, robots around, another field, a leaning head, glare: a tenth of
-/// the poses, and at least 200, each.
+/// (c) Hidden lines, false white, robots around, another field, a leaning head, glare: `poses`
+/// each.
 [[nodiscard]] std::vector<CaseResult> run_faults(const CaseOptions& options);
 
 /// What happened on drives beside the errors of single frames.
