@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include <google/protobuf/stubs/logging.h>
+
 #include "bus/fault.hpp"
 #include "monitor.pb.h"
 #include "monitor/secret.hpp"
@@ -104,6 +106,7 @@ Parsed bookmark(const Request::Bookmark& order) {
 
 Result<Order, std::string> parse_order(std::string_view bytes, std::string_view token) {
   Request request;
+  const google::protobuf::LogSilencer quiet;  // it would print a line for each bad message
   if (bytes.size() > kLongestRequest ||
       !request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
     return refuse("not understood");

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <Eigen/Core>
+#include <google/protobuf/stubs/logging.h>
 
 #include "bus/fault.hpp"
 #include "bus/messages.hpp"
@@ -118,6 +119,7 @@ void set(const v1::Vector3& from, Velocity3<Frame>& to) {
 template <class Message, class Value>
 [[nodiscard]] std::optional<Message> decode(std::string_view payload, const Value& value) {
   typename ProtoOf<Message>::Type proto;
+  const google::protobuf::LogSilencer quiet;  // it would print a line for each bad payload
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) return std::nullopt;
   Decoding decoding;
   Message message = value(proto, decoding);
