@@ -17,6 +17,7 @@
 #include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "monitor.pb.h"
+#include "monitor/feeds.hpp"
 #include "monitor/operator.hpp"
 #include "monitor/order_desk.hpp"
 #include "monitor/recording_feed.hpp"
@@ -27,6 +28,7 @@
 #include "monitor/update_to_proto.hpp"
 #include "monitor/web_files.hpp"
 #include "monitor/web_server.hpp"
+#include "monitor/what_if.hpp"
 #include "process/air_share.hpp"
 #include "process/domains.hpp"
 #include "process/meter.hpp"
@@ -61,58 +63,6 @@ struct Options {
   std::string own_address;
   std::filesystem::path token_file;  ///< empty: a token is drawn
 };
-
-/// Every topic that the station listens to.
-struct Feeds {
-  explicit Feeds(const bus::Participant& participant)
-      : states(participant),
-        sightings(participant),
-        worlds(participant),
-        explanations(participant),
-        diagnostics(participant),
-        line_points(participant),
-        thumbnails(participant) {}
-
-  void count(Station& station) const {
-    station.count("RobotState", states.counters());
-    station.count("Sightings", sightings.counters());
-    station.count("WorldModel", worlds.counters());
-    station.count("Explanation", explanations.counters());
-    station.count("Diagnostics", diagnostics.counters());
-    station.count("LinePoints", line_points.counters());
-    station.count("Thumbnail", thumbnails.counters());
-  }
-
-  bus::Reader<bus::RobotState> states;
-  bus::Reader<bus::Sightings> sightings;
-  bus::Reader<WorldModel> worlds;
-  bus::Reader<bus::Explanation> explanations;
-  bus::Reader<bus::Diagnostics> diagnostics;
-  bus::Reader<bus::LinePoints> line_points;
-  bus::Reader<bus::Thumbnail> thumbnails;
-};
-
-template <class Message>
-void pass_on(bus::Loop& loop, bus::Reader<Message>& reader, Station& station) {
-  loop.on_readable(reader.event_fd(), [&reader, &station]() {
-    reader.take(bus::host_now(), [&](const bus::Sample<Message>& sample) { station.hear(sample); });
-  });
-}
-
-void pass_on(bus::Loop& loop, Feeds& feeds, Station& station, OrderDesk& desk) {
-  loop.on_readable(feeds.states.event_fd(), [&]() {
-    feeds.states.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
-      station.hear(sample);
-      if (!sample.message) return;
-      desk.hear(sample.message->id.robot, sample.message->command_acknowledged);
-    });
-  });
-  pass_on(loop, feeds.sightings, station);
-  pass_on(loop, feeds.explanations, station);
-  pass_on(loop, feeds.diagnostics, station);
-  pass_on(loop, feeds.line_points, station);
-  pass_on(loop, feeds.thumbnails, station);
-}
 
 /// The token of a file's first line, or a new one.
 std::string token_of(const Options& options) {
@@ -204,9 +154,17 @@ void describe(process::ProcessMeter& meter, const WebServer& server) {
 
 StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
   StationParameters parameters;
+  parameters.version = TEAMSIGHT_VERSION;
   parameters.where = "domain " +
                      std::to_string(options.domains.team_domain.value_or(team.domain_id)) +
                      " of team \"" + team.name + "\"";
+  return parameters;
+}
+
+fusion::Parameters fusion_parameters(const settings::TeamSettings& team) {
+  fusion::Parameters parameters;
+  parameters.ball_radius = team.ball_radius;
+  parameters.robot_radius = team.robot_radius;
   return parameters;
 }
 
@@ -270,7 +228,9 @@ int run_replay(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team);
   const std::string token = token_of(options);
   bus::Loop loop;
-  Replay replay = load_replay(options.replay, station_parameters(options, team));
+  StationParameters parameters = station_parameters(options, team);
+  parameters.version.clear();  // a recording may be of any
+  Replay replay = load_replay(options.replay, parameters);
   if (!replay.damage.empty()) {
     std::fprintf(stderr,
                  "teamsight-monitor: %s: %s; what stands before is shown\n",
@@ -314,14 +274,15 @@ int run(const Options& options) {
   const FieldModel field = field_of(options, team);
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
-  Operator oper(server, station, desk, referee, commands);
+  WhatIf what_if(fusion_parameters(team), field);
+  Operator oper({server, station, desk, referee, what_if, commands});
   std::optional<TruthFeed> truth;
   if (!options.match_tag.empty()) {
     truth.emplace(process::host_domain(team, options.domains, options.match_tag), keep_trying);
     pass_on(loop, truth->reader, station);
     recording.add_truth(truth->participant);
   }
-  pass_on(loop, feeds, station, desk);
+  pass_on(loop, feeds, station, desk, what_if);
   loop.on_readable(server.event_fd(), [&]() { oper.listen(token); });
   loop.every(kRepeatPeriod, [&]() { oper.repeat(); });
   Pace pace;
@@ -330,10 +291,12 @@ int run(const Options& options) {
     if (!pace.is_due(now, pause)) return;
     const process::StepTimer timer(meter);
     feeds.count(station);
-    publish(server, recording, update_at(now, station, recording, referee, desk));
+    Update update = update_at(now, station, recording, referee, desk);
+    update.without = what_if.at(now);
+    publish(server, recording, update);
   };
   loop.on_readable(feeds.worlds.event_fd(), [&]() {
-    feeds.worlds.take(bus::host_now(), [&](const auto& sample) { station.hear(sample); });
+    take(feeds.worlds, station, what_if);
     tell(kShortestPause);
   });
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });

@@ -8,22 +8,24 @@
 #include "monitor/referee/referee.hpp"
 #include "monitor/station.hpp"
 #include "monitor/web_server.hpp"
+#include "monitor/what_if.hpp"
 
 namespace teamsight::monitor {
 
 /// Takes the pages' orders from the web server. Use from the loop's thread.
 class Operator {
  public:
-  Operator(WebServer& server,
-           Station& station,
-           OrderDesk& desk,
-           Referee& referee,
-           bus::Writer<bus::Command>& commands)
-      : server_(&server),
-        station_(&station),
-        desk_(&desk),
-        referee_(&referee),
-        commands_(&commands) {}
+  /// Whom orders go to; all outlive the operator.
+  struct Parts {
+    WebServer& server;
+    Station& station;
+    OrderDesk& desk;
+    Referee& referee;
+    WhatIf& what_if;
+    bus::Writer<bus::Command>& commands;
+  };
+
+  explicit Operator(const Parts& parts) : parts_(parts) {}
 
   /// Reads everything that was said; who is refused is told why.
   void listen(const std::string& token);
@@ -35,12 +37,9 @@ class Operator {
   std::string carry_out(const RobotOrder& order);
   std::string carry_out(const RefereeOrder& order);
   std::string carry_out(const BookmarkOrder& order);
+  std::string carry_out(const WithoutOrder& order);
 
-  WebServer* server_;
-  Station* station_;
-  OrderDesk* desk_;
-  Referee* referee_;
-  bus::Writer<bus::Command>* commands_;
+  Parts parts_;
 };
 
 }  // namespace teamsight::monitor

@@ -72,9 +72,22 @@ Parsed ball_hint(const Request::BallHint& order) {
   return robot_order(command, kNobody, "ball hint to all robots");
 }
 
+bool is_look_time(double duration_ms) {
+  return duration_ms > 0.0 && duration_ms <= kLongestLookMs;
+}
+
+Parsed without(const Request::Look& order) {
+  if (!is_look_time(order.duration_ms())) return refuse("for how long?");
+  if (order.robot_id() == kNobody || order.robot_id() > kMaxRobotId) {
+    return refuse("there is no such robot");
+  }
+  return Order{WithoutOrder{static_cast<RobotId>(order.robot_id()),
+                            from_seconds(order.duration_ms() / 1e3)}};
+}
+
 Parsed look(bus::CommandKind kind, const Request::Look& order) {
   const double duration_ms = order.duration_ms();
-  if (!(duration_ms > 0.0 && duration_ms <= kLongestLookMs)) return refuse("for how long?");
+  if (!is_look_time(duration_ms)) return refuse("for how long?");
   bus::Command command;
   command.kind = kind;
   command.duration = from_seconds(duration_ms / 1e3);
@@ -127,6 +140,8 @@ Result<Order, std::string> parse_order(std::string_view bytes, std::string_view 
       return referee(request.referee());
     case Request::kBookmark:
       return bookmark(request.bookmark());
+    case Request::kWithout:
+      return without(request.without());
     case Request::ORDER_NOT_SET:
       break;
   }

@@ -36,7 +36,15 @@ struct BookmarkOrder {
   friend bool operator==(const BookmarkOrder&, const BookmarkOrder&) = default;
 };
 
-using Order = std::variant<RobotOrder, RefereeOrder, BookmarkOrder>;
+/// A look at the world without one robot.
+struct WithoutOrder {
+  RobotId robot{kNobody};
+  Duration duration{0};
+
+  friend bool operator==(const WithoutOrder&, const WithoutOrder&) = default;
+};
+
+using Order = std::variant<RobotOrder, RefereeOrder, BookmarkOrder, WithoutOrder>;
 
 /// Longest message that a page may send; bytes.
 inline constexpr std::size_t kLongestRequest = 1024;

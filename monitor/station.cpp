@@ -107,6 +107,22 @@ void Station::note_camera(RobotId robot,
        robot_name(robot) + (state.camera_lost ? ": its camera is lost" : ": its camera is back"));
 }
 
+bool Station::is_other_version(const bus::RobotState& state) const {
+  return !parameters_.version.empty() && state.software_version != parameters_.version;
+}
+
+void Station::note_version(RobotId robot,
+                           const Watch& watch,
+                           const bus::RobotState& state,
+                           HostTime now) {
+  const bool is_known = watch.state && watch.state->software_version == state.software_version;
+  if (is_known || !is_other_version(state)) return;
+  note(now,
+       Level::kWarning,
+       robot_name(robot) + " runs version " + state.software_version + ", this station " +
+           parameters_.version + ": install the same packages on every robot");
+}
+
 void Station::hear(const bus::Sample<bus::RobotState>& sample) {
   if (!sample.message) {
     const auto found = robot_of_instance_.find(sample.instance);
@@ -121,6 +137,7 @@ void Station::hear(const bus::Sample<bus::RobotState>& sample) {
   note_boot(robot, watch, state.id.boot, sample.received);
   note_arrival(robot, watch, sample.received);
   note_camera(robot, watch, state, sample.received);
+  note_version(robot, watch, state, sample.received);
   watch.alive = sample.presence == bus::Presence::kAlive;
   watch.heard = sample.received;
   watch.state = state;
@@ -228,6 +245,7 @@ RobotRow Station::row_of(RobotId robot, const Watch& watch, HostTime now) const 
   row.age = now - watch.heard;
   row.link = watch.link.report(now);
   row.state = watch.state;
+  row.other_version = watch.state && is_other_version(*watch.state);
   row.agent = watch.agent;
   row.explained = watch.explained;
   row.sightings = watch.sightings;
@@ -297,7 +315,8 @@ std::string Station::silence(const Update& update) const {
     return "Samples arrive on " + parameters_.where +
            ", but every one was dropped: " + update.rejected.front().name;
   }
-  return "Nothing heard yet on " + parameters_.where + ": are the robots on, in this domain?";
+  return "Nothing heard yet on " + parameters_.where +
+         ": are the robots on, in this domain, with this version?";
 }
 
 }  // namespace teamsight::monitor

@@ -25,6 +25,8 @@ struct StationParameters {
   Duration silent_after{std::chrono::milliseconds(600)};
   Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
   Duration duplicate_for{std::chrono::seconds(2)};     ///< how long a shared robot id is remembered
+  std::string
+      version;        ///< of this station; a robot that runs another is named. Empty: not compared
   std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
 };
 
@@ -92,6 +94,8 @@ class Station {
   void note_silence(RobotId robot, Watch& watch, HostTime now);
   void note_arrival(RobotId robot, Watch& watch, HostTime now);
   void note_camera(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
+  void note_version(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
+  [[nodiscard]] bool is_other_version(const bus::RobotState& state) const;
   void note_quarantines(const WorldModel& world, HostTime now);
   [[nodiscard]] RobotRow row_of(RobotId robot, const Watch& watch, HostTime now) const;
   [[nodiscard]] std::string silence(const Update& update) const;

@@ -44,9 +44,10 @@ struct LinkReport {
 /// Everything the station knows of one robot.
 struct RobotRow {
   RobotId robot{kNobody};
-  bool alive{false};      ///< the writer's lease holds
-  bool duplicate{false};  ///< two processes speak under this id
-  Duration age{0};        ///< since the last sample arrived
+  bool alive{false};          ///< the writer's lease holds
+  bool duplicate{false};      ///< two processes speak under this id
+  bool other_version{false};  ///< it does not run this station's
+  Duration age{0};            ///< since the last sample arrived
   LinkReport link;
   std::optional<bus::RobotState> state;          ///< the newest
   std::optional<bus::Diagnostics> agent;         ///< the newest of its agent
@@ -81,6 +82,14 @@ struct RefereeReport {
   friend bool operator==(const RefereeReport&, const RefereeReport&) = default;
 };
 
+/// The world as it would be without one robot.
+struct WorldWithout {
+  RobotId robot{kNobody};
+  WorldModel world;
+
+  friend bool operator==(const WorldWithout&, const WorldWithout&) = default;
+};
+
 /// What the page shows at one moment.
 struct Update {
   HostTime stamp;
@@ -93,6 +102,7 @@ struct Update {
   std::vector<bus::Diagnostics> processes;  ///< newest of every process that is no agent, by name
   std::vector<bus::Counter> rejected;       ///< samples this station dropped, "Topic.reason"
   std::vector<bus::Thumbnail> thumbnails;   ///< since the update before
+  std::optional<WorldWithout> without;      ///< while asked for
   std::optional<RefereeReport> referee;
   std::optional<recording::RecorderReport> recorder;  ///< nothing: not recording
   std::vector<ActionReport> actions;                  ///< of the last seconds, oldest first

@@ -43,6 +43,7 @@ void fill(const RobotRow& from, v1::RobotRow& to) {
   to.set_latency_p95_ms(from.link.latency_p95 ? to_ms(*from.link.latency_p95) : -1.0);
   to.set_received(from.link.received);
   to.set_duplicate(from.duplicate);
+  to.set_other_version(from.other_version);
   if (from.state) to_proto(*from.state, *to.mutable_state());
   if (from.agent) to_proto(*from.agent, *to.mutable_agent());
   if (from.explained) set(*from.explained, *to.mutable_explained());
@@ -130,6 +131,10 @@ void to_proto(const Update& from, v1::MonitorUpdate& to) {
   if (from.truth) to_proto(*from.truth, *to.mutable_truth());
   for (const bus::Diagnostics& process : from.processes) to_proto(process, *to.add_processes());
   for (const bus::Counter& counter : from.rejected) set(counter, *to.add_rejected());
+  if (from.without) {
+    to.mutable_without()->set_robot_id(from.without->robot);
+    to_proto(from.without->world, *to.mutable_without()->mutable_world());
+  }
   if (from.referee) fill(*from.referee, *to.mutable_referee());
   if (from.recorder) fill(*from.recorder, *to.mutable_recorder());
   for (const ActionReport& action : from.actions) fill(action, *to.add_actions());

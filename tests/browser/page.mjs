@@ -195,6 +195,11 @@ scenarios.looks = async (page) => {
   await page.keyboard.press("2");
   await page.waitForSelector(".raw .ray", BOUND);
   await page.screenshot({ path: join(folder, "page-robot.png") });
+  await page.click("#without");
+  await page.waitForSelector(".without.ball", BOUND);
+  await page.waitForTimeout(2500);
+  await page.screenshot({ path: join(folder, "page-without.png") });
+  await page.click("#without");
   await page.keyboard.press("3");
   await page.waitForTimeout(2500);
   await page.screenshot({ path: join(folder, "page-plots.png") });

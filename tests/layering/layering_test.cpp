@@ -34,7 +34,7 @@ const std::vector<Layer> kLayers = {
     {"fusion/service/", {"geometry/", "settings/", "bus/", "process/", "fusion/"}},
     {"client/",         {"geometry/", "settings/", "bus/", "process/"}},
     {"recording/",      {"geometry/", "bus/"}},
-    {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/"}},
+    {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/", "fusion/"}},  // to ask "what if"
     {"sim/match/",      {"geometry/"}},
     {"sim/render/",     {"geometry/", "sim/match/",
                          "vision/camera_parameters.hpp", "vision/image.hpp"}},  // numbers and formats: no geometry is shared

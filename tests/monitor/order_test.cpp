@@ -56,6 +56,20 @@ TEST(Order, IsTakenFromAPageThatKnowsTheToken) {
   EXPECT_EQ(robot.text, "relocate robot 3");
 }
 
+TEST(Order, AsksForALookAtTheWorldWithoutARobot) {
+  v1::MonitorRequest request;
+  request.set_token(kToken);
+  request.mutable_without()->set_robot_id(4);
+  request.mutable_without()->set_duration_ms(2500.0);
+
+  const auto order = parse_order(request.SerializeAsString(), kToken);
+  request.mutable_without()->set_robot_id(0);
+
+  ASSERT_TRUE(order.has_value());
+  EXPECT_EQ(std::get<WithoutOrder>(*order), (WithoutOrder{4, milliseconds(2500)}));
+  EXPECT_EQ(refusal(request), "there is no such robot");
+}
+
 TEST(Order, IsNeverTakenWithoutTheToken) {
   v1::MonitorRequest request = relocate(3, 2.5);
   for (const char* token : {"", "0", "0123456789abcdeF", "0123456789abcdef0"}) {

@@ -76,7 +76,7 @@ TEST(SpoiltBoxMessage, IsACommandOrRefusedWithAReason) {
 
 /// One order of each kind.
 std::vector<v1::MonitorRequest> orders() {
-  std::vector<v1::MonitorRequest> all(7);
+  std::vector<v1::MonitorRequest> all(8);
   all[0].mutable_relocate()->set_robot_id(3);
   all[0].mutable_relocate()->set_x_m(2.5);
   all[1].mutable_mute()->set_robot_id(2);
@@ -88,6 +88,8 @@ std::vector<v1::MonitorRequest> orders() {
   all[5].mutable_referee()->set_command("KICKOFF");
   all[5].mutable_referee()->set_side(1);
   all[6].mutable_bookmark()->set_text("here");
+  all[7].mutable_without()->set_robot_id(4);
+  all[7].mutable_without()->set_duration_ms(500.0);
   for (v1::MonitorRequest& one : all) one.set_token(kToken);
   return all;
 }

@@ -1,6 +1,7 @@
 // tests/monitor/station_test.cpp: what the operator is told, from samples and times alone.
 #include "monitor/station.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include <gmock/gmock.h>
@@ -68,6 +69,28 @@ bus::Sample<bus::RobotState> presence_of(bus::Presence presence,
 
 auto event_with(const std::string& text) {
   return Contains(Field("text", &Event::text, HasSubstr(text)));
+}
+
+TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {
+  StationParameters parameters;
+  parameters.version = "0.1.0";
+  Station station(parameters);
+  bus::RobotState state;
+  state.id = {2, 1, 1};
+  state.software_version = "0.0.9";
+  station.hear(sample_of(state, kStart, 2));
+  state.id.sequence = 2;
+  station.hear(sample_of(state, kStart + milliseconds(40), 2));
+
+  const Update update = station.update(kStart + milliseconds(50));
+
+  EXPECT_TRUE(update.robots.at(0).other_version);
+  EXPECT_EQ(std::ranges::count_if(update.events,
+                                  [](const Event& event) {
+                                    return event.text.starts_with(
+                                        "Robot 2 runs version 0.0.9, this station 0.1.0");
+                                  }),
+            1);
 }
 
 TEST(Station, SaysThatNothingWasHeardAndWhere) {

@@ -6,6 +6,7 @@ import { Keyed, set, svg, write } from "./dom";
 import type { BallMark, ObstacleMark, RobotMark, Scene } from "./scene";
 import { RawLayer, Trails } from "./raw_layer";
 import { UNITS, View } from "./view";
+import { WithoutLayer } from "./without_layer";
 
 /** An arrow shows where something will be after so many seconds. */
 const ARROW_S = 0.7;
@@ -43,7 +44,7 @@ function makeSymbol(parent: Element, kind: string, body: "circle" | "rect"): Sym
 export class FieldView {
   private readonly root: SVGSVGElement;
   private readonly paint: SVGGElement;
-  private readonly layers: Record<"truth" | "raw" | "trails" | "links" | "obstacles" | "robots" | "balls" | "ghost", SVGGElement>;
+  private readonly layers: Record<"truth" | "raw" | "trails" | "links" | "obstacles" | "robots" | "balls" | "without" | "ghost", SVGGElement>;
   private readonly robots: Keyed<Symbol>;
   private readonly balls: Keyed<Symbol>;
   private readonly obstacles: Keyed<Symbol>;
@@ -51,6 +52,7 @@ export class FieldView {
   private readonly truths: Keyed<SVGCircleElement>;
   private readonly raw: RawLayer;
   private readonly trails: Trails;
+  private readonly without: WithoutLayer;
   private view = new View(false);
   private field: MonitorField | undefined;
   private unitsPerPixel = 1;
@@ -69,10 +71,12 @@ export class FieldView {
       obstacles: layer("obstacles"),
       robots: layer("robots"),
       balls: layer("balls"),
+      without: layer("without"),
       ghost: layer("ghost"),
     };
     this.raw = new RawLayer(this.layers.raw);
     this.trails = new Trails(this.layers.trails);
+    this.without = new WithoutLayer(this.layers.without);
     const symbols = (kind: string, body: "circle" | "rect", on: SVGGElement): Keyed<Symbol> =>
       new Keyed(() => {
         const item = makeSymbol(on, kind, body);
@@ -137,6 +141,7 @@ export class FieldView {
     this.drawLinks(scene);
     this.drawRobots(scene.robots);
     this.drawBalls(scene.balls);
+    this.without.draw(update, this.view, this.unitsPerPixel);
   }
 
   private measure(): void {

@@ -5,6 +5,7 @@ import { html, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
 import { difference } from "./raw_layer";
+import { withoutText } from "./without_layer";
 
 /** How long a look at camera or line points is asked for at a time, and how often again. */
 const LOOK_MS = 4000;
@@ -14,12 +15,14 @@ export class RobotCard {
   robot = 1;
   private looksAtCamera = false;
   private looksAtLines = false;
+  private leavesOut = false;
   private askedAt = -Infinity;
   private readonly title: HTMLElement;
   private readonly facts: HTMLElement;
   private readonly picture: HTMLImageElement;
   private readonly camera: HTMLButtonElement;
   private readonly lines: HTMLButtonElement;
+  private readonly without: HTMLButtonElement;
   private url = "";
 
   constructor(
@@ -41,6 +44,8 @@ export class RobotCard {
     button("Unmute", "The team uses its sightings again", () => this.mute(false)).id = "unmute";
     this.camera = button("Camera", "Pictures of its camera, two a second", () => this.toggleCamera());
     this.lines = button("Line points", "What it takes for paint", () => this.toggleLines());
+    this.without = button("Without it", "What the team would see if it were muted, in dashes", () => this.toggleWithout());
+    this.without.id = "without";
     this.facts = html("dl", "robot-facts", root);
     this.picture = html("img", "thumbnail", root);
     this.picture.alt = "";
@@ -50,7 +55,7 @@ export class RobotCard {
   select(robot: number): void {
     if (robot === this.robot) return;
     this.robot = robot;
-    this.looksAtCamera = this.looksAtLines = false;
+    this.looksAtCamera = this.looksAtLines = this.leavesOut = false;
     this.picture.hidden = true;
     this.askedAt = -Infinity;
   }
@@ -70,6 +75,11 @@ export class RobotCard {
     this.askedAt = -Infinity;
   }
 
+  private toggleWithout(): void {
+    this.leavesOut = !this.leavesOut;
+    this.askedAt = -Infinity;
+  }
+
   show(thumbnails: Thumbnail[]): void {
     const mine = thumbnails.filter((one) => one.sample?.robotId === this.robot).at(-1);
     if (!mine || !this.looksAtCamera) return;
@@ -80,14 +90,16 @@ export class RobotCard {
   }
 
   draw(update: MonitorUpdate, isLive: boolean, nowMs: number): void {
-    if (isLive && nowMs - this.askedAt > ASK_AGAIN_MS && (this.looksAtCamera || this.looksAtLines)) {
+    if (isLive && nowMs - this.askedAt > ASK_AGAIN_MS && (this.looksAtCamera || this.looksAtLines || this.leavesOut)) {
       this.askedAt = nowMs;
       const value = { robotId: this.robot, durationMs: LOOK_MS };
       if (this.looksAtCamera) this.orders.give({ case: "thumbnail", value });
+      if (this.leavesOut) this.orders.give({ case: "without", value });
       if (this.looksAtLines) this.orders.give({ case: "linePoints", value });
     }
     this.camera.classList.toggle("on", this.looksAtCamera);
     this.lines.classList.toggle("on", this.looksAtLines);
+    this.without.classList.toggle("on", this.leavesOut);
     write(this.title, `Robot ${this.robot}`);
     const row = update.robots.find((one) => one.robotId === this.robot);
     const aside = row ? difference(row, update) : {};
@@ -98,6 +110,7 @@ export class RobotCard {
       ["Its ball against the team's", metres(aside.ball)],
       ["Its place against the team's", metres(aside.posture)],
       ["Sees", seen ? `${seen.balls.length} ball rays, ${seen.obstacles.length} obstacles, ${seen.posture?.linePoints ?? 0} line points` : format.UNKNOWN],
+      ["Without it", update.without?.robotId === this.robot ? withoutText(update) : format.UNKNOWN],
       ["Right half", `own ${format.percent(format.halfProbability(mate?.halfLogOdds ?? NaN))}, team ${format.percent(format.halfProbability(mate?.halfLogOddsTeam ?? NaN))}`],
       ["Clock against the leader", row?.explained && row.explained.clockSigmaMs > 0 ? `${row.explained.clockOffsetMs.toFixed(1)} ± ${row.explained.clockSigmaMs.toFixed(1)} ms` : format.UNKNOWN],
       ["Battery", row?.state?.batteryV ? `${row.state.batteryV.toFixed(1)} V` : format.UNKNOWN],

@@ -96,7 +96,7 @@ const COLUMNS: Column[] = [
   { head: "Battery", width: 6.2, numeric: true, cell: (row) => (row.state?.batteryV ? cell(`${row.state.batteryV.toFixed(1)} V`) : DASH) },
   { head: "Drift", width: 5.8, numeric: true, cell: (row) => (row.state?.calibrationDriftPx ? cell(`${row.state.calibrationDriftPx.toFixed(1)} px`) : DASH) },
   { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "", row.state.cpuTemperatureDegc ? `${row.state.cpuTemperatureDegc.toFixed(0)} °C` : "temperature not measured") : DASH) },
-  { head: "Version", width: 6, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, "dim") : DASH) },
+  { head: "Version", width: 6, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, row.otherVersion ? "warn" : "dim", row.otherVersion ? "Not the station's version" : "") : DASH) },
 ];
 
 function latencyCell(row: RobotRow): Cell {

@@ -14,6 +14,7 @@ import { bitRate, commandText, gameText, isSecured, thriftText } from "../src/re
 import { markOf, sceneOf } from "../src/scene";
 import { cameraCell, halfCell, linkCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
 import { View } from "../src/view";
+import { withoutText } from "../src/without_layer";
 
 describe("ellipseOf", () => {
   it("takes the axes from a diagonal covariance", () => {
@@ -276,6 +277,16 @@ describe("Player", () => {
     expect(player.timeAt(0)).toBe(80);
     player.step(-1, 0);
     expect(player.timeAt(0)).toBe(40);
+  });
+});
+
+describe("the world without one robot", () => {
+  const ball = (x: number) => ({ balls: [{ pM: { x, y: 1 } }] });
+
+  it("is compared by its ball", () => {
+    expect(withoutText(create(MonitorUpdateSchema, { world: ball(1), without: { robotId: 2, world: ball(1.5) } }))).toBe("ball 0.50 m from the team's");
+    expect(withoutText(create(MonitorUpdateSchema, { world: ball(1), without: { robotId: 2, world: {} } }))).toBe("no ball would be known");
+    expect(withoutText(create(MonitorUpdateSchema, { world: ball(1) }))).toBe("not asked for");
   });
 });
 

@@ -1,0 +1,74 @@
+// monitor/feeds.hpp: the topics that the station listens to, and who hears them.
+#pragma once
+
+#include "bus/clock.hpp"
+#include "bus/loop.hpp"
+#include "bus/participant.hpp"
+#include "bus/reader.hpp"
+#include "monitor/order_desk.hpp"
+#include "monitor/station.hpp"
+#include "monitor/what_if.hpp"
+
+namespace teamsight::monitor {
+
+/// Every topic that the station listens to.
+struct Feeds {
+  explicit Feeds(const bus::Participant& participant)
+      : states(participant),
+        sightings(participant),
+        worlds(participant),
+        explanations(participant),
+        diagnostics(participant),
+        line_points(participant),
+        thumbnails(participant) {}
+
+  void count(Station& station) const {
+    station.count("RobotState", states.counters());
+    station.count("Sightings", sightings.counters());
+    station.count("WorldModel", worlds.counters());
+    station.count("Explanation", explanations.counters());
+    station.count("Diagnostics", diagnostics.counters());
+    station.count("LinePoints", line_points.counters());
+    station.count("Thumbnail", thumbnails.counters());
+  }
+
+  bus::Reader<bus::RobotState> states;
+  bus::Reader<bus::Sightings> sightings;
+  bus::Reader<WorldModel> worlds;
+  bus::Reader<bus::Explanation> explanations;
+  bus::Reader<bus::Diagnostics> diagnostics;
+  bus::Reader<bus::LinePoints> line_points;
+  bus::Reader<bus::Thumbnail> thumbnails;
+};
+
+/// Hands every new sample to each of those who listen.
+template <class Message, class... Listener>
+void take(bus::Reader<Message>& reader, Listener&... listeners) {
+  reader.take(bus::host_now(),
+              [&](const bus::Sample<Message>& sample) { (listeners.hear(sample), ...); });
+}
+
+/// The same whenever there are some; all must outlive the loop's run.
+template <class Message, class... Listener>
+void pass_on(bus::Loop& loop, bus::Reader<Message>& reader, Listener&... listeners) {
+  loop.on_readable(reader.event_fd(), [&]() { take(reader, listeners...); });
+}
+
+/// Every topic but the worlds, which set the pace of the updates.
+inline void pass_on(
+    bus::Loop& loop, Feeds& feeds, Station& station, OrderDesk& desk, WhatIf& what_if) {
+  loop.on_readable(feeds.states.event_fd(), [&]() {
+    feeds.states.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
+      station.hear(sample);
+      if (!sample.message) return;
+      desk.hear(sample.message->id.robot, sample.message->command_acknowledged);
+    });
+  });
+  pass_on(loop, feeds.sightings, station, what_if);
+  pass_on(loop, feeds.explanations, station, what_if);
+  pass_on(loop, feeds.diagnostics, station);
+  pass_on(loop, feeds.line_points, station);
+  pass_on(loop, feeds.thumbnails, station);
+}
+
+}  // namespace teamsight::monitor

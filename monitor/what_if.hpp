@@ -1,0 +1,47 @@
+// monitor/what_if.hpp: the world as it would be without one robot. No clock, no network.
+#pragma once
+
+#include <optional>
+
+#include "bus/messages.hpp"
+#include "bus/reader.hpp"
+#include "fusion/fusion.hpp"
+#include "geometry/identity.hpp"
+#include "geometry/time.hpp"
+#include "monitor/update.hpp"
+
+namespace teamsight::monitor {
+
+/// A fusion of the station's own that leaves one robot's observations out, while somebody asks.
+///
+/// It begins with what comes after it was asked, so trust in robots takes some seconds to grow. It
+/// works in the leading fusion's time, whose clocks of the robots the Explanation tells; a robot
+/// that is not in there is taken to have the leader's clock where its stamps allow that.
+class WhatIf {
+ public:
+  WhatIf(const fusion::Parameters& parameters, const FieldModel& field);
+
+  /// Leaves `robot` out until `until`. Another robot than before begins anew.
+  void ask(RobotId robot, HostTime until);
+
+  void hear(const bus::Sample<bus::Sightings>& sample);
+  void hear(const bus::Sample<bus::Explanation>& sample);
+  void hear(const bus::Sample<WorldModel>& sample);
+
+  /// @return nothing while nobody asks or no fusion leads
+  [[nodiscard]] std::optional<WorldWithout> at(HostTime now);
+
+ private:
+  [[nodiscard]] HostTime leaders_time(HostTime now) const { return now + leader_minus_host_; }
+
+  fusion::Fusion fresh_;
+  std::optional<fusion::Fusion> fusion_;  ///< nothing: nobody asks
+  RobotId robot_{kNobody};
+  HostTime until_;
+  bool has_leader_{false};
+  Duration leader_minus_host_{0};
+  HostTime newest_;  ///< the leader's time never goes back
+  std::optional<bus::Explanation> clocks_;
+};
+
+}  // namespace teamsight::monitor
