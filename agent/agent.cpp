@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "agent/identity_guard.hpp"
+#include "agent/picture.hpp"
 #include "bus/clock.hpp"
 
 namespace teamsight::agent {
@@ -16,9 +17,13 @@ using namespace std::chrono_literals;
 
 // RobotState is a robot's sign of life, also without frames: three of these fit into its lease.
 constexpr Duration kStatePeriod = 60ms;
-constexpr Duration kLinePointsPeriod = 500ms;
+constexpr Duration kShownPeriod = 500ms;
 // The most that they take, see idl/README.md.
 constexpr std::size_t kLinePointsBytes = 1288;
+constexpr std::size_t kSensorsBytes = 952;
+// Bytes, and bytes per second, of pictures: a twentieth of the league's 2.2 Mbit/s at most.
+constexpr double kPictureRate = 13'000.0;
+constexpr double kPictureBurst = 33'000.0;
 constexpr std::size_t kDiagnosticsBytes = 1268;
 constexpr Duration kShortestLoss = 150ms;  // a frame that is only late is no lost camera
 constexpr Duration kLongestLoss = 2s;
@@ -80,7 +85,9 @@ AgentBus::AgentBus(const bus::Participant& team_domain, const bus::Participant& 
       commands(team_domain),
       worlds(team_domain),
       odometry(host),
-      sensors(host) {}
+      sensors(host),
+      thumbnails(team_domain),
+      shown_sensors(team_domain) {}
 
 Agent::Agent(AgentIdentity identity,
              AgentBus& bus,
@@ -93,7 +100,8 @@ Agent::Agent(AgentIdentity identity,
       perception_(std::move(perception)),
       locator_(std::move(locator)),
       meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot),
-      air_(*bus.team, "agent/" + std::to_string(identity_.robot)) {}
+      air_(*bus.team, "agent/" + std::to_string(identity_.robot)),
+      picture_air_(kPictureRate, kPictureBurst) {}
 
 void Agent::join(bus::Loop& loop) {
   loop_ = &loop;
@@ -122,7 +130,7 @@ void Agent::turn() {
     count_reject(seen.error());
     return;
   }
-  write({*seen, frame->exposure});
+  write({*seen, frame->exposure, frame->view()});
 }
 
 void Agent::write(const Seen& seen) {
@@ -149,12 +157,37 @@ void Agent::write(const Seen& seen) {
     const ObservationId id{identity_.robot, identity_.boot, ++sensors_count_};
     bus_->sensors.write(sensors_of(*seen.observation, {id, seen.exposure, now}));
   }
-  const bool is_asked = now < line_points_until_ && now - line_points_written_ >= kLinePointsPeriod;
-  if (is_asked && air_.thrift() == process::Thrift::kNone && air_.may_tell(kLinePointsBytes, now)) {
-    const ObservationId id{identity_.robot, identity_.boot, ++line_points_count_};
-    bus_->line_points.write(line_points_of(*seen.observation, {id, seen.exposure, now}));
-    line_points_written_ = now;
+  if (air_.thrift() == process::Thrift::kNone) show(seen, now);
+}
+
+/// What the coach's page has asked for, while the air has room for it.
+void Agent::show(const Seen& seen, HostTime now) {
+  if (now < line_points_until_ && now - line_points_written_ >= kShownPeriod) {
+    show_line_points(seen, now);
   }
+  if (now < pictures_until_ && now - picture_written_ >= kShownPeriod) show_picture(seen, now);
+}
+
+void Agent::show_line_points(const Seen& seen, HostTime now) {
+  if (!air_.may_tell(kLinePointsBytes, now)) return;
+  const ObservationId id{identity_.robot, identity_.boot, ++line_points_count_};
+  bus_->line_points.write(line_points_of(*seen.observation, {id, seen.exposure, now}));
+  line_points_written_ = now;
+}
+
+/// With the virtual sensors, which otherwise stay on the robot.
+void Agent::show_picture(const Seen& seen, HostTime now) {
+  picture_written_ = now;
+  const auto picture = picture_of(seen.frame);
+  if (!picture || !picture_air_.take(static_cast<double>(picture->jpeg.size()), now)) {
+    meter_.count("Thumbnail.left_out");
+    return;
+  }
+  const ObservationId id{identity_.robot, identity_.boot, ++thumbnail_count_};
+  bus_->thumbnails.write(
+      {id, stamp_of(seen.exposure), picture->width_px, picture->height_px, picture->jpeg});
+  if (seen.observation->sensors.empty() || !air_.may_tell(kSensorsBytes, now)) return;
+  bus_->shown_sensors.write(sensors_of(*seen.observation, {id, seen.exposure, now}));
 }
 
 void Agent::write_state(HostTime now) {
@@ -295,9 +328,11 @@ bool Agent::carry_out(const bus::Command& command, HostTime now) {
     case bus::CommandKind::kLinePoints:
       line_points_until_ = now + command.duration;
       return true;
+    case bus::CommandKind::kThumbnail:
+      pictures_until_ = now + command.duration;
+      return true;
     case bus::CommandKind::kNone:
     case bus::CommandKind::kBallHint:
-    case bus::CommandKind::kThumbnail:
       break;
   }
   meter_.count("Command.not_understood");

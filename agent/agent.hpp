@@ -15,6 +15,7 @@
 #include "geometry/identity.hpp"
 #include "process/air_share.hpp"
 #include "process/meter.hpp"
+#include "process/token_bucket.hpp"
 #include "vision/line_drift.hpp"
 #include "vision/perception.hpp"
 
@@ -36,6 +37,8 @@ struct AgentBus {
   bus::Reader<WorldModel> worlds;
   bus::Reader<bus::Odometry> odometry;
   bus::Writer<bus::VirtualSensors> sensors;
+  bus::Writer<bus::Thumbnail> thumbnails;
+  bus::Writer<bus::VirtualSensors> shown_sensors;  ///< to the team, beside the thumbnails
 };
 
 /// Who this agent is and what it starts from.
@@ -64,10 +67,14 @@ class Agent {
   struct Seen {
     const vision::FrameObservation* observation{nullptr};
     HostTime exposure{};
+    vision::ImageView frame;
   };
 
   void turn();
   void write(const Seen& seen);
+  void show(const Seen& seen, HostTime now);
+  void show_line_points(const Seen& seen, HostTime now);
+  void show_picture(const Seen& seen, HostTime now);
   void write_state(HostTime now);
   void keep_alive();
   void diagnose();
@@ -88,6 +95,7 @@ class Agent {
   std::unique_ptr<Locator> locator_;
   process::ProcessMeter meter_;
   process::AirShare air_;
+  process::TokenBucket picture_air_;
   bus::Loop* loop_{nullptr};
 
   PostureEstimate posture_;  // of the newest frame
@@ -104,10 +112,13 @@ class Agent {
   std::uint32_t state_count_{0};
   std::uint32_t sightings_count_{0};
   std::uint32_t line_points_count_{0};
+  std::uint32_t thumbnail_count_{0};
   std::uint32_t sensors_count_{0};
   HostTime state_written_{};
   HostTime line_points_until_{};
   HostTime line_points_written_{};
+  HostTime pictures_until_{};
+  HostTime picture_written_{};
   std::uint32_t acknowledged_{0};
   bool muted_{false};
   bool yielded_{false};

@@ -20,7 +20,8 @@ struct Feeds {
         explanations(participant),
         diagnostics(participant),
         line_points(participant),
-        thumbnails(participant) {}
+        thumbnails(participant),
+        sensors(participant) {}
 
   void count(Station& station) const {
     station.count("RobotState", states.counters());
@@ -30,6 +31,7 @@ struct Feeds {
     station.count("Diagnostics", diagnostics.counters());
     station.count("LinePoints", line_points.counters());
     station.count("Thumbnail", thumbnails.counters());
+    station.count("VirtualSensors", sensors.counters());
   }
 
   bus::Reader<bus::RobotState> states;
@@ -39,6 +41,7 @@ struct Feeds {
   bus::Reader<bus::Diagnostics> diagnostics;
   bus::Reader<bus::LinePoints> line_points;
   bus::Reader<bus::Thumbnail> thumbnails;
+  bus::Reader<bus::VirtualSensors> sensors;
 };
 
 /// Hands every new sample to each of those who listen.
@@ -69,6 +72,7 @@ inline void pass_on(
   pass_on(loop, feeds.diagnostics, station);
   pass_on(loop, feeds.line_points, station);
   pass_on(loop, feeds.thumbnails, station);
+  pass_on(loop, feeds.sensors, station);
 }
 
 }  // namespace teamsight::monitor

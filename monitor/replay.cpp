@@ -65,6 +65,7 @@ class Projector {
     feed<bus::Diagnostics>();
     feed<bus::LinePoints>();
     feed<bus::Thumbnail>();
+    feed<bus::VirtualSensors>();
     feed<bus::Truth>();
     hears_[std::string(bus::topic_profile<bus::GameState>().topic)] = [this](auto payload,
                                                                              auto at) {

@@ -15,7 +15,7 @@ constexpr std::size_t kMaxThumbnailsPerUpdate = 8;
 
 // Two computers' monotonic clocks differ by more than this, unless both were just switched on.
 constexpr Duration kLongestWay = std::chrono::seconds(2);
-constexpr Duration kLinePointsShown = std::chrono::seconds(2);
+constexpr Duration kShown = std::chrono::seconds(2);
 
 constexpr std::string_view kAgentPrefix = "agent/";
 
@@ -158,6 +158,13 @@ void Station::hear(const bus::Sample<bus::LinePoints>& sample) {
   watch.line_points_heard = sample.received;
 }
 
+void Station::hear(const bus::Sample<bus::VirtualSensors>& sample) {
+  if (!sample.message) return;
+  Watch& watch = watch_of(sample.message->id.robot);
+  watch.sensors = sample.message;
+  watch.sensors_heard = sample.received;
+}
+
 void Station::hear(const bus::Sample<bus::Thumbnail>& sample) {
   if (!sample.message || thumbnails_.size() == kMaxThumbnailsPerUpdate) return;
   thumbnails_.push_back(*sample.message);
@@ -249,7 +256,8 @@ RobotRow Station::row_of(RobotId robot, const Watch& watch, HostTime now) const 
   row.agent = watch.agent;
   row.explained = watch.explained;
   row.sightings = watch.sightings;
-  if (now - watch.line_points_heard < kLinePointsShown) row.line_points = watch.line_points;
+  if (now - watch.line_points_heard < kShown) row.line_points = watch.line_points;
+  if (now - watch.sensors_heard < kShown) row.sensors = watch.sensors;
   return row;
 }
 

@@ -45,6 +45,7 @@ class Station {
   void hear(const bus::Sample<bus::Truth>& sample);
   void hear(const bus::Sample<bus::LinePoints>& sample);
   void hear(const bus::Sample<bus::Thumbnail>& sample);
+  void hear(const bus::Sample<bus::VirtualSensors>& sample);
 
   /// Something that happened elsewhere in the station, for the log.
   void note(HostTime stamp, Level level, std::string text);
@@ -86,6 +87,8 @@ class Station {
     std::optional<bus::Sightings> sightings;
     std::optional<bus::LinePoints> line_points;
     HostTime line_points_heard;
+    std::optional<bus::VirtualSensors> sensors;
+    HostTime sensors_heard;
     Quarantine quarantine{Quarantine::kNone};
   };
 

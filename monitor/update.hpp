@@ -54,6 +54,7 @@ struct RobotRow {
   std::optional<bus::ExplainedRobot> explained;  ///< by the leading fusion
   std::optional<bus::Sightings> sightings;       ///< the newest
   std::optional<bus::LinePoints> line_points;    ///< the newest, while asked for
+  std::optional<bus::VirtualSensors> sensors;    ///< the newest, while pictures are asked for
 
   friend bool operator==(const RobotRow&, const RobotRow&) = default;
 };

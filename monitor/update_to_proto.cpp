@@ -49,6 +49,7 @@ void fill(const RobotRow& from, v1::RobotRow& to) {
   if (from.explained) set(*from.explained, *to.mutable_explained());
   if (from.sightings) to_proto(*from.sightings, *to.mutable_sightings());
   if (from.line_points) to_proto(*from.line_points, *to.mutable_line_points());
+  if (from.sensors) to_proto(*from.sensors, *to.mutable_sensors());
 }
 
 const char* name_of(ActionState state) {

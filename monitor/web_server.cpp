@@ -85,7 +85,7 @@ void complete(Response& response, const Request& request) {
   response.set(http::field::cache_control, "no-cache");
   response.set("X-Content-Type-Options", "nosniff");
   response.set("Content-Security-Policy",
-               "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'");
+               "default-src 'self'; img-src 'self' data: blob:; frame-ancestors 'none'");
   response.keep_alive(request.keep_alive());
   response.content_length(response.body().size());
   if (request.method() == http::verb::head) response.body().clear();

@@ -73,7 +73,8 @@ struct BusRecorder::Impl {
         commands(team, loop, sink),
         diagnostics(team, loop, sink),
         line_points(team, loop, sink),
-        thumbnails(team, loop, sink) {}
+        thumbnails(team, loop, sink),
+        sensors(team, loop, sink) {}
 
   bus::Loop& loop;
   MessageSink& sink;
@@ -89,6 +90,7 @@ struct BusRecorder::Impl {
   Feed<bus::Diagnostics> diagnostics;
   Feed<bus::LinePoints> line_points;
   Feed<bus::Thumbnail> thumbnails;
+  Feed<bus::VirtualSensors> sensors;
   std::optional<Feed<bus::Truth>> truths;
 };
 

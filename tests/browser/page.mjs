@@ -195,6 +195,9 @@ scenarios.looks = async (page) => {
   await page.keyboard.press("2");
   await page.waitForSelector(".raw .ray", BOUND);
   await page.screenshot({ path: join(folder, "page-robot.png") });
+  await page.click("#camera");
+  await page.waitForSelector(".sensor.triggered", BOUND);
+  await page.waitForFunction(() => document.querySelector(".thumbnail").naturalWidth === 64, undefined, BOUND);
   await page.click("#without");
   await page.waitForSelector(".without.ball", BOUND);
   await page.waitForTimeout(2500);

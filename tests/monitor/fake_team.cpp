@@ -164,6 +164,14 @@ bus::Sightings fake_sightings(const ObservationId& id, HostTime exposure) {
   return sightings;
 }
 
+bus::VirtualSensors fake_sensors(const ObservationId& id, HostTime exposure) {
+  const double wave = 0.5 + 0.5 * std::sin(seconds_of(exposure));
+  return {
+      id,
+      stamp_of(exposure),
+      {{"ball in front", wave, wave > 0.6}, {"ball held", 0.1 * wave, false}, {"goal", 0.7, true}}};
+}
+
 WorldModel fake_world(const ObservationId& id, HostTime stamp) {
   const double t = seconds_of(stamp);
   WorldModel world;

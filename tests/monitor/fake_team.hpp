@@ -17,6 +17,8 @@ inline constexpr std::uint8_t kFakeRobots = 5;
 [[nodiscard]] bus::RobotState fake_state(const ObservationId& id, HostTime exposure);
 [[nodiscard]] bus::Sightings fake_sightings(const ObservationId& id, HostTime exposure);
 
+[[nodiscard]] bus::VirtualSensors fake_sensors(const ObservationId& id, HostTime exposure);
+
 /// What a fusion that hears all of them makes of it. Robot 4's ball does not fit the others'.
 [[nodiscard]] WorldModel fake_world(const ObservationId& id, HostTime stamp);
 [[nodiscard]] bus::Explanation fake_explanation(const ObservationId& id, HostTime stamp);

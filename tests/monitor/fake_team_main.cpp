@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "agent/picture.hpp"
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
@@ -20,6 +22,16 @@ namespace {
 
 constexpr Duration kFrame = std::chrono::milliseconds(40);
 constexpr Duration kExposedBefore = std::chrono::milliseconds(27);
+
+/// A camera that sees the seasons change: grey, from dark to bright.
+bus::Thumbnail fake_picture(const ObservationId& id, HostTime exposure) {
+  std::vector<std::uint8_t> grey(std::size_t{64} * 48);
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    grey[i] = static_cast<std::uint8_t>(4 * (i % 64) + id.sequence);
+  }
+  const auto picture = agent::picture_of({grey, 64, 48, vision::PixelFormat::kGrey});
+  return {id, stamp_of(exposure), picture->width_px, picture->height_px, picture->jpeg};
+}
 
 /// Says `is_healthy` once a second under the name of a process.
 class Health {
@@ -48,6 +60,9 @@ class Obedience {
 
   [[nodiscard]] bool is_muted() const { return is_muted_; }
 
+  /// Whether the operator looks at its camera.
+  [[nodiscard]] bool is_watched() const { return bus::host_now() < watched_until_; }
+
  private:
   static constexpr RobotId kDeaf = 5;
 
@@ -60,6 +75,9 @@ class Obedience {
       acknowledged_ = command.command;
       if (command.kind == bus::CommandKind::kMute) is_muted_ = true;
       if (command.kind == bus::CommandKind::kUnmute) is_muted_ = false;
+      if (command.kind == bus::CommandKind::kThumbnail) {
+        watched_until_ = bus::host_now() + command.duration;
+      }
       std::printf("{\"command\": %u, \"x_m\": %.3f, \"y_m\": %.3f, \"theta_rad\": %.3f}\n",
                   static_cast<unsigned>(command.kind),
                   command.X_FR.x(),
@@ -73,6 +91,7 @@ class Obedience {
   RobotId robot_;
   std::uint32_t acknowledged_{0};
   bool is_muted_{false};
+  HostTime watched_until_;
 };
 
 void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId robot) {
@@ -80,6 +99,8 @@ void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId rob
   const Obedience obedience(participant, loop, robot);
   bus::Writer<bus::RobotState> states(participant);
   bus::Writer<bus::Sightings> sightings(participant);
+  bus::Writer<bus::VirtualSensors> sensors(participant);
+  bus::Writer<bus::Thumbnail> pictures(participant);
   Health health(participant, "agent/" + std::to_string(robot), id);
   loop.every(kFrame, [&]() {
     ++id.sequence;
@@ -88,6 +109,9 @@ void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId rob
     state.command_acknowledged = obedience.acknowledged();
     states.write(state);
     if (!obedience.is_muted()) sightings.write(fake_sightings(id, exposure));
+    if (!obedience.is_watched() || id.sequence % 12 != 0) return;
+    sensors.write(fake_sensors(id, exposure));
+    pictures.write(fake_picture(id, exposure));
   });
   loop.every(std::chrono::seconds(1), [&]() { health.tell(); });
   loop.run();

@@ -71,6 +71,18 @@ auto event_with(const std::string& text) {
   return Contains(Field("text", &Event::text, HasSubstr(text)));
 }
 
+TEST(Station, ShowsVirtualSensorsWhileTheyCome) {
+  Station station({});
+  hear_frame(station, 2, 1, kStart);
+  bus::VirtualSensors sensors;
+  sensors.id = {2, 1, 1};
+  sensors.readings = {{"ball held", 0.8, true}};
+  station.hear(sample_of(sensors, kStart, 2));
+
+  EXPECT_EQ(station.update(kStart + seconds(1)).robots.at(0).sensors, sensors);
+  EXPECT_FALSE(station.update(kStart + seconds(3)).robots.at(0).sensors.has_value());
+}
+
 TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {
   StationParameters parameters;
   parameters.version = "0.1.0";

@@ -1,5 +1,10 @@
 // monitor/web/src/main.ts: the page: updates come in, at most one drawing per screen frame goes out.
-import "./style.css";
+import "./style/base.css";
+import "./style/bar.css";
+import "./style/field.css";
+import "./style/timeline.css";
+import "./style/side.css";
+import "./style/table.css";
 import { fromBinary } from "@bufbuild/protobuf";
 import { type MonitorUpdate, MonitorUpdateSchema } from "./generated/monitor_pb";
 import { connect, liveAddress } from "./connection";

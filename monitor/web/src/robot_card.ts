@@ -1,6 +1,6 @@
 // monitor/web/src/robot_card.ts: one robot close up: its own view against the team's, its camera, orders to it.
 import type { MonitorUpdate } from "./generated/monitor_pb";
-import type { Thumbnail } from "./generated/recording_pb";
+import type { Thumbnail, VirtualSensors } from "./generated/recording_pb";
 import { html, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
@@ -23,6 +23,7 @@ export class RobotCard {
   private readonly camera: HTMLButtonElement;
   private readonly lines: HTMLButtonElement;
   private readonly without: HTMLButtonElement;
+  private readonly sensors: HTMLElement;
   private url = "";
 
   constructor(
@@ -42,14 +43,16 @@ export class RobotCard {
     button("Relocate", "Then drag on the field: where it stands and where it looks (r)", () => startRelocating(this.robot)).id = "relocate";
     button("Mute", "The team goes on without its sightings", () => this.mute(true)).id = "mute";
     button("Unmute", "The team uses its sightings again", () => this.mute(false)).id = "unmute";
-    this.camera = button("Camera", "Pictures of its camera, two a second", () => this.toggleCamera());
+    this.camera = button("Camera", "Pictures of its camera and its virtual sensors, up to two a second", () => this.toggleCamera());
+    this.camera.id = "camera";
     this.lines = button("Line points", "What it takes for paint", () => this.toggleLines());
     this.without = button("Without it", "What the team would see if it were muted, in dashes", () => this.toggleWithout());
     this.without.id = "without";
-    this.facts = html("dl", "robot-facts", root);
     this.picture = html("img", "thumbnail", root);
     this.picture.alt = "";
     this.picture.hidden = true;
+    this.sensors = html("div", "sensors", root);
+    this.facts = html("dl", "robot-facts", root);
   }
 
   select(robot: number): void {
@@ -102,6 +105,7 @@ export class RobotCard {
     this.without.classList.toggle("on", this.leavesOut);
     write(this.title, `Robot ${this.robot}`);
     const row = update.robots.find((one) => one.robotId === this.robot);
+    this.drawSensors(row?.sensors);
     const aside = row ? difference(row, update) : {};
     const metres = (value: number | undefined): string => (value === undefined ? format.UNKNOWN : `${value.toFixed(2)} m`);
     const seen = row?.sightings;
@@ -118,6 +122,27 @@ export class RobotCard {
       ["Calibration drift", row?.state?.calibrationDriftPx ? `${row.state.calibrationDriftPx.toFixed(1)} px` : format.UNKNOWN],
       ["Agent says", row?.agent?.message || (row?.agent ? "well" : format.UNKNOWN)],
     ]);
+  }
+
+  /** One line per virtual sensor: what share of its window has its colours, and whether that triggers it. */
+  private drawSensors(sensors: VirtualSensors | undefined): void {
+    const readings = sensors?.readings ?? [];
+    while (this.sensors.childElementCount > readings.length) this.sensors.lastElementChild?.remove();
+    readings.forEach((reading, index) => {
+      const line = this.sensors.children[index] ?? this.makeSensor();
+      line.classList.toggle("triggered", reading.triggered);
+      write(line.children[0]!, reading.name);
+      (line.children[1]!.firstElementChild as HTMLElement).style.width = `${reading.value * 100}%`;
+      write(line.children[2]!, format.percent(reading.value));
+    });
+  }
+
+  private makeSensor(): Element {
+    const line = html("div", "sensor", this.sensors);
+    html("span", "", line);
+    html("i", "bar-fill", html("span", "bar-track", line));
+    html("b", "", line);
+    return line;
   }
 
   private list(entries: [string, string][]): void {
