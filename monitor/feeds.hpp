@@ -3,6 +3,7 @@
 
 #include "bus/clock.hpp"
 #include "bus/loop.hpp"
+#include "bus/other_versions.hpp"
 #include "bus/participant.hpp"
 #include "bus/reader.hpp"
 #include "monitor/order_desk.hpp"
@@ -21,7 +22,8 @@ struct Feeds {
         diagnostics(participant),
         line_points(participant),
         thumbnails(participant),
-        sensors(participant) {}
+        sensors(participant),
+        others(participant) {}
 
   void count(Station& station) const {
     station.count("RobotState", states.counters());
@@ -42,6 +44,7 @@ struct Feeds {
   bus::Reader<bus::LinePoints> line_points;
   bus::Reader<bus::Thumbnail> thumbnails;
   bus::Reader<bus::VirtualSensors> sensors;
+  bus::OtherVersions others;
 };
 
 /// Hands every new sample to each of those who listen.

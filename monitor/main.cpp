@@ -142,7 +142,7 @@ class Pace {
   HostTime last_;
 };
 
-void describe(process::ProcessMeter& meter, const WebServer& server) {
+bus::Diagnostics report_of(process::ProcessMeter& meter, const WebServer& server) {
   const WebServerCounters counters = server.counters();
   meter.set("page.clients", counters.clients);
   meter.set("page.refused", counters.refused);
@@ -150,6 +150,7 @@ void describe(process::ProcessMeter& meter, const WebServer& server) {
   meter.set("page.misbehaved", counters.misbehaved);
   meter.set("viewers", counters.viewers);
   meter.set("viewers.dropped", counters.viewer_dropped);
+  return meter.report(bus::host_now());
 }
 
 StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
@@ -301,8 +302,8 @@ int run(const Options& options) {
   });
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
-    describe(meter, server);
-    bus::Diagnostics report = meter.report(bus::host_now());
+    station.note_versions(feeds.others.present(), bus::host_now());
+    bus::Diagnostics report = report_of(meter, server);
     air.tell(report);
     diagnostics.write(report);
     recording.draw(field, bus::host_now());

@@ -15,6 +15,8 @@ constexpr std::size_t kMaxThumbnailsPerUpdate = 8;
 
 // Two computers' monotonic clocks differ by more than this, unless both were just switched on.
 constexpr Duration kLongestWay = std::chrono::seconds(2);
+constexpr const char* kOtherVersion =
+    " of the topics, which this station does not hear: install the same packages everywhere";
 constexpr Duration kShown = std::chrono::seconds(2);
 
 constexpr std::string_view kAgentPrefix = "agent/";
@@ -105,6 +107,13 @@ void Station::note_camera(RobotId robot,
   note(now,
        state.camera_lost ? Level::kAlarm : Level::kInfo,
        robot_name(robot) + (state.camera_lost ? ": its camera is lost" : ": its camera is back"));
+}
+
+void Station::note_versions(const std::set<std::string>& others, HostTime now) {
+  std::string text;
+  for (const std::string& version : others) text += (text.empty() ? "" : ", ") + version;
+  if (text == std::exchange(other_versions_, text) || text.empty()) return;
+  note(now, Level::kWarning, "Somebody here speaks " + text + kOtherVersion);
 }
 
 bool Station::is_other_version(const bus::RobotState& state) const {
@@ -318,6 +327,9 @@ std::string Station::silence(const Update& update) const {
     return heard + " heard, but no fusion: is teamsight-fusion running?";
   }
   if (!update.robots.empty()) return "Every robot fell silent";
+  if (!other_versions_.empty()) {
+    return "On " + parameters_.where + " somebody speaks " + other_versions_ + kOtherVersion;
+  }
   if (update.world) return "The world model is old, and no robot is heard";
   if (!update.rejected.empty()) {
     return "Samples arrive on " + parameters_.where +

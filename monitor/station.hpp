@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,9 @@ class Station {
 
   /// Something that happened elsewhere in the station, for the log.
   void note(HostTime stamp, Level level, std::string text);
+
+  /// The other versions of the topics that are spoken in the domain now, e.g. "v2".
+  void note_versions(const std::set<std::string>& others, HostTime now);
 
   /// What a reader has dropped until now.
   void count(std::string_view topic, const bus::ReadCounters& counters);
@@ -113,6 +117,7 @@ class Station {
   std::map<std::string, bus::Diagnostics, std::less<>> processes_;
   std::map<std::string, std::uint64_t, std::less<>> rejected_;
   std::vector<bus::Thumbnail> thumbnails_;
+  std::string other_versions_;  ///< e.g. "v2"; empty: none
   std::vector<Event> events_;
 };
 

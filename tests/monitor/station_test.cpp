@@ -83,6 +83,21 @@ TEST(Station, ShowsVirtualSensorsWhileTheyCome) {
   EXPECT_FALSE(station.update(kStart + seconds(3)).robots.at(0).sensors.has_value());
 }
 
+TEST(Station, SaysThatAnotherVersionOfTheTopicsIsSpoken) {
+  StationParameters parameters;
+  parameters.where = "domain 7";
+  Station station(parameters);
+  station.note_versions({"v2"}, kStart);
+  station.note_versions({"v2"}, kStart + seconds(1));
+
+  const Update update = station.update(kStart + seconds(1));
+  station.note_versions({}, kStart + seconds(2));
+
+  EXPECT_THAT(update.silence, HasSubstr("On domain 7 somebody speaks v2 of the topics"));
+  EXPECT_EQ(update.events.size(), 1U);
+  EXPECT_THAT(station.update(kStart + seconds(2)).silence, HasSubstr("Nothing heard yet"));
+}
+
 TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {
   StationParameters parameters;
   parameters.version = "0.1.0";
