@@ -46,7 +46,14 @@ struct DeleteListener {
   void operator()(dds_listener_t* listener) const noexcept { dds_delete_listener(listener); }
 };
 
+struct FreeEndpoint {
+  void operator()(dds_builtintopic_endpoint_t* endpoint) const noexcept {
+    dds_builtintopic_free_endpoint(endpoint);
+  }
+};
+
 using QosPointer = std::unique_ptr<dds_qos_t, DeleteQos>;
 using ListenerPointer = std::unique_ptr<dds_listener_t, DeleteListener>;
+using EndpointPointer = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
 
 }  // namespace teamsight::bus

@@ -2,6 +2,7 @@
 #include "bus/participant.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 #include <map>
 #include <mutex>
@@ -59,6 +60,30 @@ bool names_an_existing_interface(const std::string& reason) {
   return if_nametoindex(reason.substr(start, end - start).c_str()) != 0;
 }
 
+std::string interface_list() {
+  std::string all;
+  struct if_nameindex* const cards = ::if_nameindex();
+  for (const auto* card = cards; card != nullptr && card->if_index != 0; ++card) {
+    all += (all.empty() ? "" : ", ") + std::string(card->if_name);
+  }
+  if (cards != nullptr) ::if_freenameindex(cards);
+  return all.empty() ? "none" : all;
+}
+
+// What an operator can do about what the library says; empty: nothing that is known.
+std::string advice_on(const std::string& reason) {
+  if (reason.find("failed to find interfaces") != std::string::npos) {
+    return "; no network card is up, this computer has: " + interface_list();
+  }
+  if (reason.find(kNoSuchInterface) != std::string::npos) {
+    return " This computer has: " + interface_list() + "; name one of them in NetworkInterface";
+  }
+  if (reason.find("has expired") != std::string::npos) {
+    return "; make new ones: teamsight keys --renew";
+  }
+  return {};
+}
+
 JoinFailure failure_of(const char* call, dds_return_t code) {
   std::string reason = LibraryLogCapture::text();
   const bool none_up = reason.find("failed to find interfaces") != std::string::npos;
@@ -70,7 +95,14 @@ JoinFailure failure_of(const char* call, dds_return_t code) {
   if (const std::size_t at = reason.find(kGivenText); at != std::string::npos) {
     reason.erase(at, kGivenText.size());
   }
-  return {std::move(reason), may_pass};
+  return {reason + advice_on(reason), may_pass};
+}
+
+// The line that says why: which file, what was found, what to do.
+std::string line_of(const DomainSettings& settings, const JoinFailure& failure) {
+  const bool is_keys = failure.reason.find("ertificate") != std::string::npos;
+  return (is_keys ? "security " + settings.identity : "DDS profile " + settings.profile_path) +
+         ": " + failure.reason;
 }
 
 std::shared_ptr<Domain> shared_domain(const DomainSettings& settings,
@@ -85,9 +117,9 @@ std::shared_ptr<Domain> shared_domain(const DomainSettings& settings,
 
 using MaybeFailure = std::optional<JoinFailure>;
 
-MaybeFailure try_join(const DomainSettings& settings,
-                      const std::string& configuration,
-                      Participant::Impl& out) {
+MaybeFailure try_join(Participant::Impl& out) {
+  const DomainSettings& settings = out.settings;
+  const std::string& configuration = out.configuration;
   const std::lock_guard lock(registry().mutex);
   const LibraryLogCapture capture;
   std::shared_ptr<Domain> domain = shared_domain(settings, configuration);
@@ -118,10 +150,24 @@ bool wait_while(const std::function<bool()>& keep_trying) {
 }  // namespace
 
 Participant::Impl::~Impl() {
+  leave();
+}
+
+void Participant::Impl::leave() noexcept {
   // Under the lock: another thread that joins must find the domain either whole or gone.
   const std::lock_guard lock(registry().mutex);
   entity = Entity();
   domain.reset();
+}
+
+Membership::Membership(std::shared_ptr<Participant::Impl> participant, Endpoint& endpoint)
+    : participant_(std::move(participant)),
+      endpoint_(&endpoint) {
+  participant_->endpoints.push_back(&endpoint);
+}
+
+Membership::~Membership() {
+  std::erase(participant_->endpoints, endpoint_);
 }
 
 Participant Participant::join(const DomainSettings& settings,
@@ -129,18 +175,38 @@ Participant Participant::join(const DomainSettings& settings,
   Profile profile = load_profile(settings.profile_path, settings.tag);
   auto impl = std::make_shared<Impl>();
   impl->lease = profile.lease;
-  impl->domain_id = settings.domain_id;
   if (!settings.identity.empty()) {
     Identity identity = load_identity(settings.identity);
     profile.text += identity.configuration;
     impl->partition = std::move(identity.partition);
   }
-  while (const MaybeFailure failed = try_join(settings, profile.text, *impl)) {
-    if (!failed->may_pass || !wait_while(keep_trying)) {
-      throw BusError("DDS profile " + settings.profile_path + ": " + failed->reason);
-    }
+  impl->settings = settings;
+  impl->configuration = std::move(profile.text);
+  bool has_said = false;
+  while (const MaybeFailure failed = try_join(*impl)) {
+    const std::string line = line_of(settings, *failed);
+    if (!failed->may_pass || !keep_trying()) throw BusError(line);
+    if (!has_said) std::fprintf(stderr, "%s; trying again every second\n", line.c_str());
+    has_said = true;
+    if (!wait_while(keep_trying)) throw BusError(line);
   }
   return Participant(std::move(impl));
+}
+
+bool Participant::rejoin() noexcept {
+  const auto leave_all = [this] {
+    for (Endpoint* endpoint : impl_->endpoints) endpoint->leave();
+    impl_->leave();
+  };
+  leave_all();
+  try {
+    if (try_join(*impl_)) return false;
+    for (Endpoint* endpoint : impl_->endpoints) endpoint->enter();
+  } catch (const BusError&) {  // half in is worse than out: some would be heard and not hear
+    leave_all();
+    return false;
+  }
+  return true;
 }
 
 Participant::Participant(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -154,7 +220,7 @@ std::int32_t Participant::handle() const noexcept {
 }
 
 std::uint32_t Participant::domain_id() const noexcept {
-  return impl_->domain_id;
+  return impl_->settings.domain_id;
 }
 
 bool Participant::is_secured() const noexcept {
@@ -167,10 +233,6 @@ Duration Participant::lease() const noexcept {
 
 const std::string& Participant::partition() const noexcept {
   return impl_->partition;
-}
-
-std::shared_ptr<const void> Participant::keep_alive() const noexcept {
-  return impl_;
 }
 
 }  // namespace teamsight::bus

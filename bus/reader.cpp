@@ -1,8 +1,11 @@
 // bus/reader.cpp: loan, check, convert, hand over.
 #include "bus/reader.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "bus/heard_writers.hpp"
 #include "bus/history.hpp"
 #include "bus/speakers.hpp"
 #include "bus/subscription.hpp"
@@ -37,6 +40,26 @@ std::optional<PeerTime> stamp_in(const Message& message) noexcept {
   }
 }
 
+// Nothing: it has left meanwhile.
+std::optional<WriterName> name_of(dds_entity_t reader, dds_instance_handle_t writer) {
+  const EndpointPointer endpoint(dds_get_matched_publication_data(reader, writer));
+  if (!endpoint) return std::nullopt;
+  WriterName name{};
+  std::copy_n(std::begin(endpoint->key.v), name.size(), name.begin());
+  return name;
+}
+
+// What one writer counts apart: commands, by their target. Not the library's handle, which is
+// another one after joining anew; what was heard before must not be new then.
+template <class Message>
+std::uint64_t instance_in(const Message& message) noexcept {
+  if constexpr (requires { message.target; }) {
+    return message.target;
+  } else {
+    return 0;
+  }
+}
+
 }  // namespace
 
 template <class Message>
@@ -45,31 +68,66 @@ struct Reader<Message>::Impl {
       : subscription(participant, topic_profile<Message>(), topic_descriptor<Message>()),
         speakers(participant.is_secured()) {}
 
-  // What a late joiner gets of an event is old by design, and one writer counts over several keys:
-  // only state has stamps that are judged and gaps that are losses.
-  std::optional<Message> accept(const void* data, const dds_sample_info_t& info, HostTime now) {
-    const bool state = subscription.profile().delivery == Delivery::kState;
+  std::optional<Message> take(const void* data, const dds_sample_info_t& info, HostTime now) {
     auto message = from_wire<Message>(*static_cast<const typename WireForm<Message>::Type*>(data));
-    if (!message) return refuse(message.error());
-    if (!speakers.may_speak(subscription.handle(), info.publication_handle, message->id.robot)) {
-      return refuse(Reject::kForeignIdentity);
+    const ObservationId maker = message ? message->id : ObservationId{};
+    const auto judged = message ? judge(*message, info, now) : failure(message.error());
+    const bool repeats = !judged && judged.error() == Reject::kDuplicate;
+    if (heard_since != subscription.entered()) heard.forget_writers();
+    heard_since = subscription.entered();
+    heard.note(info.publication_handle, maker, repeats, now);
+    if (!judged) {
+      ++counters.rejected[static_cast<std::size_t>(judged.error())];
+      return std::nullopt;
     }
-    const auto lost = history.judge(
-        info.instance_handle, message->id, state ? stamp_in(*message) : std::nullopt, now);
-    if (!lost) return refuse(lost.error());
     ++counters.accepted;
-    if (state) counters.lost += *lost;
+    counters.lost += *judged;
     return std::move(*message);
   }
 
-  std::nullopt_t refuse(Reject reason) noexcept {
-    ++counters.rejected[static_cast<std::size_t>(reason)];
-    return std::nullopt;
+  // How many were lost before it, or why it must be dropped. What a late joiner gets of an event is
+  // old by design, and one writer counts over several keys: only state has stamps that are judged
+  // and gaps that are losses.
+  Result<std::uint32_t, Reject> judge(const Message& message,
+                                      const dds_sample_info_t& info,
+                                      HostTime now) {
+    if (!speakers.may_speak(subscription.handle(), info.publication_handle, message.id.robot)) {
+      return failure(Reject::kForeignIdentity);
+    }
+    const bool state = subscription.profile().delivery == Delivery::kState;
+    const auto lost = history.judge(
+        instance_in(message), message.id, state ? stamp_in(message) : std::nullopt, now);
+    if (!lost || state) return lost;
+    return 0U;
+  }
+
+  [[nodiscard]] std::vector<WriterName> unheard(HostTime now, Duration patience) const {
+    std::array<dds_instance_handle_t, HeardWriters::kMost> writers{};
+    const auto matched = std::clamp<dds_return_t>(
+        dds_get_matched_publications(subscription.handle(), writers.data(), writers.size()),
+        0,
+        static_cast<dds_return_t>(writers.size()));
+    const auto end = writers.begin() + matched;
+    const auto middle = std::partition(
+        writers.begin(), end, [&](auto writer) { return heard.has(writer, now, patience); });
+    // The library tells only how many are alive; those that are not may be among the unheard.
+    const auto can_be_heard = static_cast<std::size_t>(middle - writers.begin());
+    const std::size_t alive = subscription.live_writers();
+    const bool all_are_heard =
+        subscription.profile().exclusive ? can_be_heard > 0 || alive == 0 : can_be_heard >= alive;
+    std::vector<WriterName> names;
+    if (all_are_heard) return names;
+    for (auto it = middle; it != end; ++it) {
+      if (const auto name = name_of(subscription.handle(), *it)) names.push_back(*name);
+    }
+    return names;
   }
 
   Subscription subscription;
   Speakers speakers;
   History history;
+  HeardWriters heard;
+  std::uint32_t heard_since{0};
   ReadCounters counters;
 };
 
@@ -100,7 +158,7 @@ std::size_t Reader<Message>::take(HostTime now,
       sample.instance = info.instance_handle;
       sample.writer = info.publication_handle;
       sample.received = now;
-      if (info.valid_data) sample.message = impl_->accept(loan.data(i), info, now);
+      if (info.valid_data) sample.message = impl_->take(loan.data(i), info, now);
       if (!sample.message && sample.presence == Presence::kAlive) continue;
       use(sample);
       ++handed_over;
@@ -117,6 +175,16 @@ int Reader<Message>::event_fd() const noexcept {
 template <class Message>
 std::uint32_t Reader<Message>::live_writers() const noexcept {
   return impl_->subscription.live_writers();
+}
+
+template <class Message>
+std::vector<WriterName> Reader<Message>::unheard_writers(HostTime now, Duration patience) const {
+  return impl_->unheard(now, patience);
+}
+
+template <class Message>
+HostTime Reader<Message>::writer_renamed() const noexcept {
+  return impl_->heard.renamed();
 }
 
 template <class Message>

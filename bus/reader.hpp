@@ -1,10 +1,12 @@
 // bus/reader.hpp: taking validated values from a topic.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "bus/messages.hpp"
 #include "bus/participant.hpp"
@@ -30,6 +32,9 @@ struct Sample {
   HostTime received;          ///< when it was taken
 };
 
+/// What a writer is called on the network: its GUID. It keeps it for as long as it lives.
+using WriterName = std::array<std::uint8_t, 16>;
+
 /// Reads one topic. Samples that fail validation are dropped and counted. Use from one thread.
 ///
 /// Defined for every message of bus/messages.hpp and for WorldModel.
@@ -54,6 +59,19 @@ class Reader {
 
   /// How many writers of this topic are alive now.
   [[nodiscard]] std::uint32_t live_writers() const noexcept;
+
+  /// The writers that live, and yet nothing of theirs came within `patience`.
+  ///
+  /// A writer's lease is renewed by what arrives from it, before the library judges its sequence
+  /// number. One that lives and is not heard has been shut out by a number higher than its own,
+  /// and only a new participant at one of the two ends ends that. A writer that has just begun is
+  /// among them until its first sample comes. On a topic of exclusive ownership it is all or none
+  /// of them, as the weaker ones are never heard.
+  [[nodiscard]] std::vector<WriterName> unheard_writers(HostTime now, Duration patience) const;
+
+  /// When last a process that was heard before was heard through a new writer: it has joined anew.
+  /// Zero: never.
+  [[nodiscard]] HostTime writer_renamed() const noexcept;
 
   [[nodiscard]] const ReadCounters& counters() const noexcept;
 

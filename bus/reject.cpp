@@ -25,6 +25,8 @@ std::string_view to_string(Reject reason) noexcept {
       return "foreign_identity";
     case Reject::kImplausibleStamp:
       return "implausible_stamp";
+    case Reject::kImplausibleNumber:
+      return "implausible_number";
   }
   return "unknown";
 }

@@ -10,15 +10,8 @@ namespace {
 
 constexpr std::size_t kMaxKnown = 64;
 
-struct FreeEndpoint {
-  void operator()(dds_builtintopic_endpoint_t* endpoint) const noexcept {
-    dds_builtintopic_free_endpoint(endpoint);
-  }
-};
-
 std::optional<RobotId> ask(dds_entity_t reader, dds_instance_handle_t writer) {
-  const std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint> endpoint(
-      dds_get_matched_publication_data(reader, writer));
+  const EndpointPointer endpoint(dds_get_matched_publication_data(reader, writer));
   if (!endpoint) return std::nullopt;  // it has left meanwhile
   std::uint32_t count = 0;
   char** names = nullptr;

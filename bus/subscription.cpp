@@ -44,28 +44,42 @@ Subscription::Subscription(const Participant& participant,
                            const TopicProfile& profile,
                            const dds_topic_descriptor_t& descriptor)
     : profile_(profile),
-      participant_(participant.keep_alive()) {
-  topic_ = Entity(check(
-      dds_create_topic(
-          participant.handle(), &descriptor, std::string(profile.topic).c_str(), nullptr, nullptr),
-      "dds_create_topic"));
+      descriptor_(descriptor),
+      membership_(participant.shared(), *this) {
   event_fd_ = make_event_fd();
-  // Given at creation: one set later misses what is pending (0.10.2).
-  const ListenerPointer listener(dds_create_listener(&event_fd_));
-  dds_lset_data_available(listener.get(), &on_data);
-  dds_lset_liveliness_changed(listener.get(), &on_liveliness);
-  const QosPointer qos = reader_qos(profile, {participant.lease(), participant.partition()});
-  reader_ =
-      Entity(dds_create_reader(participant.handle(), topic_.handle(), qos.get(), listener.get()));
-  if (reader_.handle() < 0) {
+  try {
+    enter();
+  } catch (const BusError&) {
     ::close(event_fd_);
-    check(reader_.handle(), "dds_create_reader");
+    throw;
   }
 }
 
 Subscription::~Subscription() {
-  reader_ = Entity();  // waits for a listener that runs
+  leave();
   ::close(event_fd_);
+}
+
+void Subscription::leave() noexcept {
+  reader_ = Entity();  // waits for a listener that runs
+  topic_ = Entity();
+}
+
+void Subscription::enter() {
+  const Participant::Impl& in = membership_.participant();
+  topic_ = Entity(check(
+      dds_create_topic(
+          in.entity.handle(), &descriptor_, std::string(profile_.topic).c_str(), nullptr, nullptr),
+      "dds_create_topic"));
+  // Given at creation: one set later misses what is pending (0.10.2).
+  const ListenerPointer listener(dds_create_listener(&event_fd_));
+  dds_lset_data_available(listener.get(), &on_data);
+  dds_lset_liveliness_changed(listener.get(), &on_liveliness);
+  const QosPointer qos = reader_qos(profile_, {in.lease, in.partition});
+  reader_ = Entity(
+      check(dds_create_reader(in.entity.handle(), topic_.handle(), qos.get(), listener.get()),
+            "dds_create_reader"));
+  ++entered_;
 }
 
 void Subscription::clear_event() const noexcept {

@@ -5,22 +5,22 @@
 #include <memory>
 
 #include "bus/entity.hpp"
+#include "bus/participant_impl.hpp"
 #include "bus/topics.hpp"
 
 namespace teamsight::bus {
 
-class Participant;
-
 /// One topic and one DDS reader whose listener does nothing but signal an eventfd.
-class Subscription {
+class Subscription final : public Endpoint {
  public:
   /// @throws BusError if the library refuses
   Subscription(const Participant& participant,
                const TopicProfile& profile,
                const dds_topic_descriptor_t& descriptor);
-  ~Subscription();
-  Subscription(const Subscription&) = delete;
-  Subscription& operator=(const Subscription&) = delete;
+  ~Subscription() override;
+
+  void leave() noexcept override;
+  void enter() override;
 
   /// Readable when something changed since the last `clear_event`.
   [[nodiscard]] int event_fd() const noexcept { return event_fd_; }
@@ -31,12 +31,17 @@ class Subscription {
 
   [[nodiscard]] std::uint32_t live_writers() const noexcept;
 
+  /// How often it has entered: with each time the library's handles are new ones.
+  [[nodiscard]] std::uint32_t entered() const noexcept { return entered_; }
+
   [[nodiscard]] const TopicProfile& profile() const noexcept { return profile_; }
 
  private:
   const TopicProfile& profile_;
+  const dds_topic_descriptor_t& descriptor_;
   int event_fd_{-1};
-  std::shared_ptr<const void> participant_;
+  std::uint32_t entered_{0};
+  Membership membership_;
   Entity topic_;
   Entity reader_;  // last: it goes first, and its listener with it
 };

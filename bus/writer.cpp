@@ -2,6 +2,7 @@
 #include "bus/writer.hpp"
 
 #include "bus/entity.hpp"
+#include "bus/participant_impl.hpp"
 #include "bus/qos.hpp"
 #include "bus/topics.hpp"
 #include "bus/wire.hpp"
@@ -9,24 +10,33 @@
 namespace teamsight::bus {
 
 template <class Message>
-struct Writer<Message>::Impl {
+struct Writer<Message>::Impl final : Endpoint {
   Impl(const Participant& participant, std::int32_t ownership_strength)
-      : participant_kept(participant.keep_alive()),
-        topic(check(dds_create_topic(participant.handle(),
-                                     &topic_descriptor<Message>(),
-                                     std::string(topic_profile<Message>().topic).c_str(),
-                                     nullptr,
-                                     nullptr),
-                    "dds_create_topic")) {
-    const QosPointer qos = writer_qos(topic_profile<Message>(),
-                                      ownership_strength,
-                                      {participant.lease(), participant.partition()});
-    writer =
-        Entity(check(dds_create_writer(participant.handle(), topic.handle(), qos.get(), nullptr),
-                     "dds_create_writer"));
+      : membership(participant.shared(), *this),
+        strength(ownership_strength) {
+    enter();
   }
 
-  std::shared_ptr<const void> participant_kept;
+  void leave() noexcept override {
+    writer = Entity();
+    topic = Entity();
+  }
+
+  void enter() override {
+    const Participant::Impl& in = membership.participant();
+    topic = Entity(check(dds_create_topic(in.entity.handle(),
+                                          &topic_descriptor<Message>(),
+                                          std::string(topic_profile<Message>().topic).c_str(),
+                                          nullptr,
+                                          nullptr),
+                         "dds_create_topic"));
+    const QosPointer qos = writer_qos(topic_profile<Message>(), strength, {in.lease, in.partition});
+    writer = Entity(check(dds_create_writer(in.entity.handle(), topic.handle(), qos.get(), nullptr),
+                          "dds_create_writer"));
+  }
+
+  Membership membership;
+  std::int32_t strength;
   Entity topic;
   Entity writer;
   WireSample<Message> wire;

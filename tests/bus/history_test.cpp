@@ -97,5 +97,43 @@ TEST(History, ForgetsTheWriterUnusedForLongestWhenThereAreTooMany) {
       history.judge(kInstance, id(1, 100 + History::kWriters - 2), std::nullopt, host({})));
 }
 
+TEST(History, DropsANumberThatNobodyCanHaveCountedTo) {
+  History history;
+  ASSERT_TRUE(history.judge(kInstance, id(5), stamp({}), host({})));
+
+  const auto forged =
+      history.judge(kInstance, id(65'541), stamp(milliseconds(40)), host(milliseconds(40)));
+
+  ASSERT_FALSE(forged);
+  EXPECT_EQ(forged.error(), Reject::kImplausibleNumber);
+  EXPECT_EQ(history.judge(kInstance, id(6), stamp(milliseconds(40)), host(milliseconds(40))), 0U);
+}
+
+TEST(History, BelievesTheGapOfALongSilence) {
+  History history;
+  ASSERT_TRUE(history.judge(kInstance, id(5), stamp({}), host({})));
+
+  EXPECT_EQ(history.judge(kInstance, id(3006), stamp(seconds(60)), host(seconds(60))), 3000U);
+}
+
+TEST(History, TakesAForgedFirstNumberForWrongWhenTheWriterGoesOnCounting) {
+  History history;
+  ASSERT_TRUE(history.judge(kInstance, id(1'000'000), stamp({}), host({})));
+  for (std::uint32_t i = 0; i < History::kSamplesToRelearn; ++i) {
+    ASSERT_FALSE(history.judge(kInstance, id(7 + i), stamp({}), host({})));
+  }
+
+  EXPECT_EQ(history.judge(kInstance, id(30), stamp({}), host({})), 0U);
+  EXPECT_EQ(history.judge(kInstance, id(31), stamp({}), host({})), 0U);
+}
+
+TEST(History, IsNotTalkedRoundByRepetitionsBetweenNewSamples) {
+  History history;
+  for (std::uint32_t i = 1; i <= 3 * History::kSamplesToRelearn; ++i) {
+    ASSERT_TRUE(history.judge(kInstance, id(100 + i), stamp({}), host({})));
+    EXPECT_EQ(history.judge(kInstance, id(i), stamp({}), host({})).error(), Reject::kDuplicate);
+  }
+}
+
 }  // namespace
 }  // namespace teamsight::bus
