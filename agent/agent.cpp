@@ -75,7 +75,7 @@ std::string in_seconds(Duration duration) {
 
 }  // namespace
 
-AgentBus::AgentBus(const bus::Participant& team_domain, const bus::Participant& host)
+AgentBus::AgentBus(bus::Participant& team_domain, const bus::Participant& host)
     : team(&team_domain),
       states(team_domain),
       sightings(team_domain),
@@ -101,7 +101,11 @@ Agent::Agent(AgentIdentity identity,
       locator_(std::move(locator)),
       meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot),
       air_(*bus.team, "agent/" + std::to_string(identity_.robot)),
-      picture_air_(kPictureRate, kPictureBurst) {}
+      picture_air_(kPictureRate, kPictureBurst),
+      hearing_(*bus.team) {
+  hearing_.watch(bus_->peers);
+  hearing_.watch(bus_->worlds);
+}
 
 void Agent::join(bus::Loop& loop) {
   loop_ = &loop;
@@ -115,6 +119,7 @@ void Agent::join(bus::Loop& loop) {
   loop.every(
       1s, [this] { diagnose(); }, 0.1);
   air_.attach(loop);
+  hearing_.attach(loop);
 }
 
 void Agent::turn() {
@@ -291,11 +296,13 @@ void Agent::diagnose() {
   meter_.set("carpet.luminance", carpet_luminance_);
   meter_.set("Command", bus_->commands.counters());
   meter_.set("Odometry", bus_->odometry.counters());
+  meter_.set("bus.rejoined", hearing_.times());
   bus::Diagnostics report = meter_.report(now);
   cpu_load_ = report.cpu_load;
   report.message = complaint(source, now).substr(0, 95);
   report.healthy = report.message.empty();
   report.frame_age_ms = exposure_ == HostTime{} ? -1.0 : 1e3 * to_seconds(now - exposure_);
+  hearing_.tell(report, now);
   air_.tell(report);
   if (air_.may_tell(kDiagnosticsBytes, now)) bus_->diagnostics.write(report);
 }

@@ -14,6 +14,7 @@
 #include "bus/writer.hpp"
 #include "geometry/identity.hpp"
 #include "process/air_share.hpp"
+#include "process/hearing.hpp"
 #include "process/meter.hpp"
 #include "process/token_bucket.hpp"
 #include "vision/line_drift.hpp"
@@ -24,9 +25,9 @@ namespace teamsight::agent {
 /// Every reader and writer of the process; made at start, before any traffic.
 struct AgentBus {
   /// Both must outlive it.
-  AgentBus(const bus::Participant& team, const bus::Participant& host);
+  AgentBus(bus::Participant& team, const bus::Participant& host);
 
-  const bus::Participant* team;
+  bus::Participant* team;
 
   bus::Writer<bus::RobotState> states;
   bus::Writer<bus::Sightings> sightings;
@@ -96,6 +97,7 @@ class Agent {
   process::ProcessMeter meter_;
   process::AirShare air_;
   process::TokenBucket picture_air_;
+  process::Hearing hearing_;
   bus::Loop* loop_{nullptr};
 
   PostureEstimate posture_;  // of the newest frame

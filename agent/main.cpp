@@ -178,7 +178,7 @@ int run(const Options& options) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team_bus = bus::Participant::join(
+  auto team_bus = bus::Participant::join(
       process::team_domain(team, options.domains, setup.robot.id), keeps_trying);
   const std::string tag = options.domains.host_tag.empty()
                               ? process::default_host_tag(team, setup.robot.id)

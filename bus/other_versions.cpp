@@ -6,6 +6,7 @@
 #include <dds/dds.h>
 
 #include "bus/entity.hpp"
+#include "bus/participant_impl.hpp"
 
 namespace teamsight::bus {
 namespace {
@@ -15,15 +16,27 @@ constexpr std::size_t kMostWriters = 256;
 
 }  // namespace
 
-struct OtherVersions::Impl {
+struct OtherVersions::Impl final : Endpoint {
+  explicit Impl(const Participant& participant) : membership(participant.shared(), *this) {
+    enter();
+  }
+
+  void leave() noexcept override { reader = Entity(); }
+
+  void enter() override {
+    reader = Entity(check(dds_create_reader(membership.participant().entity.handle(),
+                                            DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
+                                            nullptr,
+                                            nullptr),
+                          "dds_create_reader"));
+  }
+
+  Membership membership;
   Entity reader;
 };
 
 OtherVersions::OtherVersions(const Participant& participant)
-    : impl_(std::make_unique<Impl>(Impl{Entity(
-          check(dds_create_reader(
-                    participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
-                "dds_create_reader"))})) {}
+    : impl_(std::make_unique<Impl>(participant)) {}
 
 OtherVersions::~OtherVersions() = default;
 

@@ -6,10 +6,13 @@
 #include "bus/reader.hpp"
 #include "client/world_choice.hpp"
 #include "process/domains.hpp"
+#include "process/hearing.hpp"
 #include "settings/load.hpp"
 
 namespace teamsight {
 namespace {
+
+constexpr Duration kHearingPeriod = std::chrono::milliseconds(500);
 
 process::DomainOptions domain_options(const TeamWorldOptions& options) {
   return {options.team_domain, options.host_tag};
@@ -31,7 +34,10 @@ struct TeamWorld::Impl {
             settings.team, domain_options(options), host_tag(settings, options)))),
         leader_worlds(team),
         own_worlds(host),
-        choice({}) {}
+        choice({}),
+        hearing(team) {
+    hearing.watch(leader_worlds);
+  }
 
   RobotId robot;
   bus::Participant team;
@@ -39,6 +45,8 @@ struct TeamWorld::Impl {
   bus::Reader<WorldModel> leader_worlds;
   bus::Reader<WorldModel> own_worlds;
   WorldChoice choice;
+  process::Hearing hearing;
+  HostTime listened;  // when `hearing` last looked
 };
 
 TeamWorld::TeamWorld(const std::filesystem::path& robot_file, const TeamWorldOptions& options)
@@ -56,6 +64,10 @@ World TeamWorld::freshest() {
   impl_->own_worlds.take(now, [&](const bus::Sample<WorldModel>& sample) {
     if (sample.message) impl_->choice.heard_own_host(*sample.message);
   });
+  if (now - impl_->listened >= kHearingPeriod) {
+    impl_->listened = now;
+    impl_->hearing.look(now);
+  }
   return impl_->choice.freshest(now);
 }
 

@@ -36,7 +36,8 @@ class TeamWorld {
 
   /// The leader's model while it is fresh (250 ms), else the own host's (1 s), else none.
   ///
-  /// Never waits; takes what has come since the last call.
+  /// Takes what has come since the last call, and does not wait for more. If the leader lives and
+  /// is not heard (somebody forges its packets), it joins the bus anew, which may take 10 ms.
   [[nodiscard]] World freshest();
 
   /// The robot of the robot file.

@@ -9,6 +9,7 @@
 #include "monitor/order_desk.hpp"
 #include "monitor/station.hpp"
 #include "monitor/what_if.hpp"
+#include "process/hearing.hpp"
 
 namespace teamsight::monitor {
 
@@ -34,6 +35,13 @@ struct Feeds {
     station.count("LinePoints", line_points.counters());
     station.count("Thumbnail", thumbnails.counters());
     station.count("VirtualSensors", sensors.counters());
+  }
+
+  /// Those whose writers speak all the time.
+  void watch(process::Hearing& ear) const {
+    ear.watch(states);
+    ear.watch(sightings);
+    ear.watch(worlds);
   }
 
   bus::Reader<bus::RobotState> states;

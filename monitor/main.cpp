@@ -20,6 +20,7 @@
 #include "monitor/feeds.hpp"
 #include "monitor/operator.hpp"
 #include "monitor/order_desk.hpp"
+#include "monitor/own_hearing.hpp"
 #include "monitor/recording_feed.hpp"
 #include "monitor/referee/referee.hpp"
 #include "monitor/replay.hpp"
@@ -142,7 +143,7 @@ class Pace {
   HostTime last_;
 };
 
-bus::Diagnostics report_of(process::ProcessMeter& meter, const WebServer& server) {
+void describe(process::ProcessMeter& meter, const WebServer& server) {
   const WebServerCounters counters = server.counters();
   meter.set("page.clients", counters.clients);
   meter.set("page.refused", counters.refused);
@@ -150,7 +151,6 @@ bus::Diagnostics report_of(process::ProcessMeter& meter, const WebServer& server
   meter.set("page.misbehaved", counters.misbehaved);
   meter.set("viewers", counters.viewers);
   meter.set("viewers.dropped", counters.viewer_dropped);
-  return meter.report(bus::host_now());
 }
 
 StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
@@ -263,7 +263,7 @@ int run(const Options& options) {
   const auto keep_trying = [&loop]() {
     return loop.keeps_running();
   };
-  const bus::Participant participant =
+  bus::Participant participant =
       bus::Participant::join(process::team_domain(team, options.domains), keep_trying);
   Station station(station_parameters(options, team));
   OrderDesk desk(boot);
@@ -273,6 +273,8 @@ int run(const Options& options) {
   process::ProcessMeter meter("monitor", kNobody, boot);
   process::AirShare air(participant, "monitor");
   const FieldModel field = field_of(options, team);
+  OwnHearing hearing(participant);
+  feeds.watch(hearing.ear());
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   WhatIf what_if(fusion_parameters(team), field);
@@ -303,12 +305,14 @@ int run(const Options& options) {
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
     station.note_versions(feeds.others.present(), bus::host_now());
-    bus::Diagnostics report = report_of(meter, server);
+    describe(meter, server);
+    bus::Diagnostics report = hearing.report(meter, station, bus::host_now());
     air.tell(report);
     diagnostics.write(report);
     recording.draw(field, bus::host_now());
   });
   air.attach(loop);
+  hearing.ear().attach(loop);
   process::report_to_supervisor(loop);
   loop.run();
   return process::kDone;

@@ -40,7 +40,7 @@ int serve(const CommandLine& line) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team =
+  auto team =
       Participant::join(process::team_domain(robot.team, line.domains, robot.id), keeps_trying);
   const auto host =
       Participant::join(process::host_domain(robot.team, line.domains, tag), keeps_trying);

@@ -65,7 +65,7 @@ bus::ExplainedRobot explained(const RobotReport& report) {
 
 }  // namespace
 
-Service::Service(const bus::Participant& team,
+Service::Service(bus::Participant& team,
                  const bus::Participant& host,
                  const ServiceIdentity& identity,
                  Fusion fusion)
@@ -75,6 +75,7 @@ Service::Service(const bus::Participant& team,
       clocks_(identity.robot, identity.boot),
       meter_("fusion/" + std::to_string(identity.robot), identity.robot, identity.boot),
       air_(team, "fusion/" + std::to_string(identity.robot)),
+      hearing_(team),
       sightings_(team),
       worlds_(team),
       probes_(team),
@@ -86,7 +87,10 @@ Service::Service(const bus::Participant& team,
       echo_(team),
       diagnostics_(team),
       started_(bus::host_now()),
-      last_intake_(started_) {}
+      last_intake_(started_) {
+  hearing_.watch(sightings_);
+  hearing_.watch(worlds_);
+}
 
 void Service::attach(bus::Loop& loop) {
   loop.on_readable(sightings_.event_fd(), [this] { take_sightings(bus::host_now()); });
@@ -99,6 +103,7 @@ void Service::attach(bus::Loop& loop) {
   loop.every(
       seconds(1), [this] { publish_diagnostics(bus::host_now()); }, kJitter);
   air_.attach(loop);
+  hearing_.attach(loop);
 }
 
 void Service::take_sightings(HostTime now) {
@@ -219,6 +224,7 @@ void Service::publish_diagnostics(HostTime now) {
   meter_.set("WorldModel.host", host_world_.counters());
   meter_.set("leads", leadership_.leads(now) ? 1 : 0);
   meter_.set("held", fusion_.held());
+  meter_.set("bus.rejoined", hearing_.times());
   bus::Diagnostics diagnostics = meter_.report(now);
   const auto silent = std::chrono::duration_cast<seconds>(now - last_intake_);
   if (silent >= seconds(1)) {
@@ -226,6 +232,7 @@ void Service::publish_diagnostics(HostTime now) {
     diagnostics.message = "no usable sightings for " + std::to_string(silent.count()) +
                           " s: are agents running on this domain?";
   }
+  hearing_.tell(diagnostics, now);
   air_.tell(diagnostics);
   if (air_.may_tell(kDiagnosticsBytes, now)) diagnostics_.write(diagnostics);
 }

@@ -12,6 +12,7 @@
 #include "fusion/leadership.hpp"
 #include "fusion/service/clock_book.hpp"
 #include "process/air_share.hpp"
+#include "process/hearing.hpp"
 #include "process/meter.hpp"
 
 namespace teamsight::fusion {
@@ -28,7 +29,7 @@ class Service {
  public:
   /// @param team  the domain between the robots; both must outlive the service
   /// @param host  the domain inside this computer
-  Service(const bus::Participant& team,
+  Service(bus::Participant& team,
           const bus::Participant& host,
           const ServiceIdentity& identity,
           Fusion fusion);
@@ -55,6 +56,7 @@ class Service {
   ClockBook clocks_;
   process::ProcessMeter meter_;
   process::AirShare air_;
+  process::Hearing hearing_;
   bus::Reader<bus::Sightings> sightings_;
   bus::Reader<WorldModel> worlds_;
   bus::Reader<bus::ClockProbe> probes_;

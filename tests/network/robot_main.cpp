@@ -16,6 +16,7 @@
 #include "client/world_choice.hpp"
 #include "process/air_share.hpp"
 #include "process/domains.hpp"
+#include "process/hearing.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
 #include "settings/load.hpp"
@@ -46,7 +47,7 @@ struct Options {
 /// The robot's eye and mouth.
 class Speaker {
  public:
-  Speaker(const bus::Participant& team, RobotId robot, Duration clock_ahead)
+  Speaker(bus::Participant& team, RobotId robot, Duration clock_ahead)
       : states_(team),
         sightings_(team),
         diagnostics_(team),
@@ -55,13 +56,23 @@ class Speaker {
         eye_(robot, id_.boot),
         random_(robot),
         meter_("agent/" + std::to_string(robot), robot, id_.boot),
-        air_(team, "agent/" + std::to_string(robot)) {}
+        air_(team, "agent/" + std::to_string(robot)),
+        peers_(team),
+        hearing_(team) {
+    hearing_.watch(peers_);
+  }
+
+  /// What else the process reads.
+  void hear(const bus::Reader<WorldModel>& leader) { hearing_.watch(leader); }
 
   void attach(bus::Loop& loop, double rate_hz) {
     loop.every(from_seconds(1.0 / rate_hz), [this] { speak(); });
     loop.every(
         std::chrono::seconds(1), [this] { report(); }, 0.1);
     air_.attach(loop);
+    loop.on_readable(peers_.event_fd(),
+                     [this] { peers_.take(bus::host_now(), [](const auto&) {}); });
+    hearing_.attach(loop);
   }
 
  private:
@@ -75,7 +86,10 @@ class Speaker {
   }
 
   void report() {
-    bus::Diagnostics report = meter_.report(bus::host_now());
+    const HostTime now = bus::host_now();
+    meter_.set("bus.rejoined", hearing_.times());
+    bus::Diagnostics report = meter_.report(now);
+    hearing_.tell(report, now);
     air_.tell(report);
     diagnostics_.write(report);
   }
@@ -131,6 +145,8 @@ class Speaker {
   fusion::test::Random random_;
   process::ProcessMeter meter_;
   process::AirShare air_;
+  bus::Reader<bus::RobotState> peers_;
+  process::Hearing hearing_;
 };
 
 /// Writes down every world model that comes.
@@ -150,6 +166,8 @@ class Witness {
 
   Witness(const Witness&) = delete;
   Witness& operator=(const Witness&) = delete;
+
+  [[nodiscard]] const bus::Reader<WorldModel>& leader() const { return leader_; }
 
   void attach(bus::Loop& loop) {
     loop.on_readable(leader_.event_fd(), [this] {
@@ -225,8 +243,7 @@ int run(const Options& options) {
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();
   };
-  const auto team =
-      bus::Participant::join(process::team_domain(robot.team, {}, robot.id), keeps_trying);
+  auto team = bus::Participant::join(process::team_domain(robot.team, {}, robot.id), keeps_trying);
   const auto host = bus::Participant::join(process::host_domain(robot.team, {}, tag), keeps_trying);
   const auto said = static_cast<RobotId>(options.speak_as);
   Speaker speaker(
@@ -234,6 +251,7 @@ int run(const Options& options) {
   Witness witness(team, host, options);
   witness.attach(loop);
   speaker.attach(loop, options.rate_hz);
+  speaker.hear(witness.leader());
   loop.run();
   if (!options.writers.empty()) list_writers(team, options.writers);
   return process::kDone;

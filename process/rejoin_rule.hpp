@@ -1,0 +1,48 @@
+// process/rejoin_rule.hpp: when to join the bus anew since somebody lives and is not heard. A
+// value; time as an argument.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "bus/reader.hpp"
+#include "geometry/time.hpp"
+
+namespace teamsight::process {
+
+struct RejoinParameters {
+  Duration patience{std::chrono::seconds(2)};  ///< unheard without a break before it counts
+  Duration pause{std::chrono::seconds(5)};     ///< between two times, at least
+  /// One writer is a reason once in so long: what joining anew has not helped, it will not help at
+  /// once (somebody goes on forging, or repeats a session that is over).
+  Duration memory{std::chrono::seconds(60)};
+  /// Whoever has not joined anew for so long does it when another one does: the forger knows this
+  /// one's old name as well, and it cannot notice itself that nobody hears it.
+  Duration follow{std::chrono::seconds(30)};
+  Duration longest_step{std::chrono::seconds(1)};  ///< after a longer one nothing was watched
+};
+
+/// Bounded: at most once per `pause`, and per writer at most once per `memory`.
+class RejoinRule {
+ public:
+  explicit RejoinRule(const RejoinParameters& parameters) : parameters_(parameters) {}
+
+  /// To be called a few times a second.
+  ///
+  /// @param unheard  every writer that lives and was not heard of late
+  /// @param peer     when last another process joined anew; zero: never
+  /// @return whether to join anew now; it is taken to be done
+  [[nodiscard]] bool step(const std::vector<bus::WriterName>& unheard, HostTime peer, HostTime now);
+
+ private:
+  [[nodiscard]] bool has_reason(HostTime peer, HostTime now) const;
+
+  RejoinParameters parameters_;
+  std::map<bus::WriterName, HostTime> since_;   // unheard without a break
+  std::map<bus::WriterName, HostTime> blamed_;  // when last
+  HostTime stepped_{};
+  std::optional<HostTime> rejoined_;
+};
+
+}  // namespace teamsight::process
