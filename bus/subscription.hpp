@@ -18,6 +18,8 @@ class Subscription final : public Endpoint {
                const TopicProfile& profile,
                const dds_topic_descriptor_t& descriptor);
   ~Subscription() override;
+  Subscription(const Subscription&) = delete;
+  Subscription& operator=(const Subscription&) = delete;
 
   void leave() noexcept override;
   void enter() override;

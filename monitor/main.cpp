@@ -143,7 +143,7 @@ class Pace {
   HostTime last_;
 };
 
-void describe(process::ProcessMeter& meter, const WebServer& server) {
+process::ProcessMeter& described(process::ProcessMeter& meter, const WebServer& server) {
   const WebServerCounters counters = server.counters();
   meter.set("page.clients", counters.clients);
   meter.set("page.refused", counters.refused);
@@ -151,6 +151,7 @@ void describe(process::ProcessMeter& meter, const WebServer& server) {
   meter.set("page.misbehaved", counters.misbehaved);
   meter.set("viewers", counters.viewers);
   meter.set("viewers.dropped", counters.viewer_dropped);
+  return meter;
 }
 
 StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
@@ -260,11 +261,10 @@ int run(const Options& options) {
   WebServer server(web_settings(options, team, token));
   Recording recording(recorder_settings(options, team), server);
   say_address(server, token);
-  const auto keep_trying = [&loop]() {
+  const auto goes_on = [&loop]() {
     return loop.keeps_running();
   };
-  bus::Participant participant =
-      bus::Participant::join(process::team_domain(team, options.domains), keep_trying);
+  auto participant = bus::Participant::join(process::team_domain(team, options.domains), goes_on);
   Station station(station_parameters(options, team));
   OrderDesk desk(boot);
   Feeds feeds(participant);
@@ -273,15 +273,14 @@ int run(const Options& options) {
   process::ProcessMeter meter("monitor", kNobody, boot);
   process::AirShare air(participant, "monitor");
   const FieldModel field = field_of(options, team);
-  OwnHearing hearing(participant);
-  feeds.watch(hearing.ear());
+  OwnHearing hearing(participant, feeds, loop);
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   WhatIf what_if(fusion_parameters(team), field);
   Operator oper({server, station, desk, referee, what_if, commands});
   std::optional<TruthFeed> truth;
   if (!options.match_tag.empty()) {
-    truth.emplace(process::host_domain(team, options.domains, options.match_tag), keep_trying);
+    truth.emplace(process::host_domain(team, options.domains, options.match_tag), goes_on);
     pass_on(loop, truth->reader, station);
     recording.add_truth(truth->participant);
   }
@@ -305,14 +304,12 @@ int run(const Options& options) {
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
     station.note_versions(feeds.others.present(), bus::host_now());
-    describe(meter, server);
-    bus::Diagnostics report = hearing.report(meter, station, bus::host_now());
+    bus::Diagnostics report = hearing.report(described(meter, server), station, bus::host_now());
     air.tell(report);
     diagnostics.write(report);
     recording.draw(field, bus::host_now());
   });
   air.attach(loop);
-  hearing.ear().attach(loop);
   process::report_to_supervisor(loop);
   loop.run();
   return process::kDone;

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "bus/loop.hpp"
+#include "monitor/feeds.hpp"
 #include "monitor/station.hpp"
 #include "process/hearing.hpp"
 #include "process/meter.hpp"
@@ -12,9 +14,10 @@ namespace teamsight::monitor {
 /// process::Hearing, and what the operator reads of it: the station does not hear its own report.
 class OwnHearing {
  public:
-  explicit OwnHearing(bus::Participant& team) : hearing_(team) {}
-
-  [[nodiscard]] process::Hearing& ear() { return hearing_; }
+  OwnHearing(bus::Participant& team, const Feeds& feeds, bus::Loop& loop) : hearing_(team) {
+    feeds.watch(hearing_);
+    hearing_.attach(loop);
+  }
 
   /// The station's report on itself, with what there is to say about this; a new time is logged.
   [[nodiscard]] bus::Diagnostics report(process::ProcessMeter& meter,
