@@ -340,13 +340,13 @@ void BallDetector::judge(const FrameTables& frame, const Blob& blob) {
 
 void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) {
   const ScanRange& range = frame.lines.radial()[radial_line];
-  const auto line = frame.lines.samples(range);
+  const auto taps = frame.lines.taps(range);
   const auto classes = frame.scan.classes(range);
-  const std::size_t end = std::min(frame.scan.carpet_end(radial_line) + kBehind, line.size() - 1);
+  const std::size_t end = std::min(frame.scan.carpet_end(radial_line) + kBehind, taps.size() - 1);
   for (std::size_t i = 0; i < end; ++i) {
     // Two in a row: single pixels of noise are not worth a search.
     if (classes[i] != ColourClass::kBall || classes[i + 1] != ColourClass::kBall) continue;
-    const std::size_t pixel = line[i].nearest;
+    const std::size_t pixel = taps[i].nearest;
     if (visited_[pixel] == frame_ || blobs_.size() == kMostBlobs) continue;
     const Blob blob = grow(frame, pixel);
     if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);

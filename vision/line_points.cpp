@@ -5,8 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "vision/radial_scan.hpp"
-
 namespace teamsight::vision {
 
 namespace {
@@ -21,6 +19,7 @@ constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
 
 using Profile = std::span<const float>;
 using Line = std::span<const ScanSample>;
+using Taps = std::span<const SampleTap>;
 
 /// A bright bump; places are in samples from the line's start.
 struct Bump {
@@ -100,7 +99,7 @@ std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, double wi
 // Whether three samples from `first` in steps of `step` show carpet on average: chroma is noisy.
 bool is_carpet(const PixelReader& pixels,
                const ColourClasses& colours,
-               Line line,
+               Taps taps,
                std::ptrdiff_t first,
                std::ptrdiff_t step) {
   int u = 0;
@@ -109,8 +108,8 @@ bool is_carpet(const PixelReader& pixels,
   int count = 0;
   for (std::ptrdiff_t k = 0; k < 3; ++k) {
     const std::ptrdiff_t i = first + k * step;
-    if (i < 0 || i >= static_cast<std::ptrdiff_t>(line.size())) continue;
-    const std::size_t pixel = line[static_cast<std::size_t>(i)].nearest;
+    if (i < 0 || i >= static_cast<std::ptrdiff_t>(taps.size())) continue;
+    const std::size_t pixel = taps[static_cast<std::size_t>(i)].nearest;
     const Chroma chroma = pixels.chroma(pixel);
     u += chroma.u;
     v += chroma.v;
@@ -124,12 +123,12 @@ bool is_carpet(const PixelReader& pixels,
 
 bool has_carpet_beside(const PixelReader& pixels,
                        const ColourClasses& colours,
-                       Line line,
+                       Taps taps,
                        const Bump& bump) {
   // One and a half pixels away from the edge the chroma of two shared pixels is the floor's.
   const auto before = static_cast<std::ptrdiff_t>(std::floor(bump.rise - 1.5F));
   const auto after = static_cast<std::ptrdiff_t>(std::ceil(bump.fall + 1.5F));
-  return is_carpet(pixels, colours, line, before, -1) && is_carpet(pixels, colours, line, after, 1);
+  return is_carpet(pixels, colours, taps, before, -1) && is_carpet(pixels, colours, taps, after, 1);
 }
 
 // The covariance on the floor of a place known to `sigma` pixels.
@@ -167,15 +166,6 @@ std::optional<LinePoint> point_of(Line line, const Bump& bump, const LineRules& 
 
 }  // namespace
 
-void read_profile(const PixelReader& pixels,
-                  std::span<const ScanSample> line,
-                  std::vector<float>& profile) {
-  profile.clear();
-  for (const ScanSample& sample : line) {
-    profile.push_back(luminance_at(pixels, sample));
-  }
-}
-
 void find_line_points(const PixelReader& pixels,
                       const ColourClasses& colours,
                       const ScanProfile& scan,
@@ -192,7 +182,7 @@ void find_line_points(const PixelReader& pixels,
     const auto bump = bump_at(scan.samples, y, i, widest);
     if (!bump || bump->contrast < contrast) continue;
     i = std::max(i, bump->end);
-    if (!has_carpet_beside(pixels, colours, scan.samples, *bump)) continue;
+    if (!has_carpet_beside(pixels, colours, scan.taps, *bump)) continue;
     if (const auto point = point_of(scan.samples, *bump, rules)) points.push_back(*point);
   }
 }

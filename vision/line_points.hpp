@@ -30,17 +30,11 @@ struct LineRules {
 
 inline constexpr std::size_t kMaxLinePoints = 800;
 
-/// Reads the luminance along one scan line, between the pixels.
-///
-/// @param profile is resized to the line's samples
-void read_profile(const PixelReader& pixels,
-                  std::span<const ScanSample> line,
-                  std::vector<float>& profile);
-
 /// One scan line with what was read along it.
 struct ScanProfile {
   std::span<const ScanSample> samples;
-  std::span<const float> luminance;  ///< of each sample, from read_profile
+  std::span<const SampleTap> taps;   ///< of each sample
+  std::span<const float> luminance;  ///< of each sample, from read_luminance
 };
 
 /// Appends the line points of one scan line.

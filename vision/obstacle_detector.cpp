@@ -49,15 +49,16 @@ double distance_of(const ScanSample& sample) {
   return static_cast<double>(std::hypot(sample.x, sample.y));
 }
 
-/// The samples from `i` on that decide whether something stands there.
-std::size_t run_end(std::span<const ScanSample> line, std::size_t i) {
+/// How many samples from `i` on decide whether something stands there.
+std::uint8_t run_from(std::span<const ScanSample> line, std::size_t i) {
+  static_assert(kMostInRun <= std::numeric_limits<std::uint8_t>::max());
   const double start = distance_of(line[i]);
   std::size_t j = i;
   while (j < line.size() && j - i < kMostInRun &&
          (j - i < kFewestInRun || distance_of(line[j]) - start < std::max(kRun, kTall * start))) {
     ++j;
   }
-  return j;
+  return static_cast<std::uint8_t>(j - i);
 }
 
 template <class Claim>
@@ -77,6 +78,9 @@ ObstacleDetector::ObstacleDetector(const ObstacleRules& rules,
       centre_(model.centre()) {
   for (const ScanRange& range : lines.radial()) {
     azimuths_.push_back(model.azimuth(range.image_direction));
+    const auto line = lines.samples(range);
+    runs_.resize(std::max(runs_.size(), range.first + range.count));
+    for (std::size_t i = 0; i < range.count; ++i) runs_[range.first + i] = run_from(line, i);
   }
   const std::size_t n = azimuths_.size();
   spacing_ = std::numbers::pi;
@@ -107,9 +111,9 @@ ObstacleDetector::Foot ObstacleDetector::foot_of(const RadialScan& scan,
   foot.carpet_end = place(end);
   for (std::size_t i = 0; i < last; ++i) {
     if (is_floor(surfaces[i])) last_floor = i;
-    const std::size_t j = run_end(line, i);
-    if (j - i < kFewestInRun) break;
-    if (!is_standing(surfaces[i]) || share(surfaces, i, j, is_standing) < kFilled) continue;
+    const std::size_t run = runs_[range.first + i];
+    if (run < kFewestInRun) break;
+    if (!is_standing(surfaces[i]) || share(surfaces, i, i + run, is_standing) < kFilled) continue;
     foot.stands = i - last_floor <= kContact;
     if (foot.stands) end = i;
     break;

@@ -113,8 +113,9 @@ class ObstacleDetector {
 
   ObstacleRules rules_;
   Pixel centre_;
-  std::vector<double> azimuths_;  // of the radial lines
-  double spacing_{0.0};           // of the lines; rad
+  std::vector<double> azimuths_;    // of the radial lines
+  std::vector<std::uint8_t> runs_;  // of each radial sample: so many decide what stands there
+  double spacing_{0.0};             // of the lines; rad
   std::vector<Foot> feet_;
   std::vector<Group> groups_;
   std::vector<FreeSpace> free_;

@@ -103,12 +103,14 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   for (const ScanRange& range : lines.radial()) {
     const auto luminance = scan.luminance(range);
     meter.add(luminance);
-    find_line_points(pixels, colours, {lines.samples(range), luminance}, rules, points);
+    find_line_points(
+        pixels, colours, {lines.samples(range), lines.taps(range), luminance}, rules, points);
   }
   for (const ScanRange& range : lines.circular()) {
-    const auto line = lines.samples(range);
-    read_profile(pixels, line, profile);
-    find_line_points(pixels, colours, {line, profile}, rules, points);
+    const auto taps = lines.taps(range);
+    profile.resize(taps.size());
+    read_luminance(pixels, taps, profile);
+    find_line_points(pixels, colours, {lines.samples(range), taps, profile}, rules, points);
   }
   observation.light = meter.light();
   // Well lit, but not a field.

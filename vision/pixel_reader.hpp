@@ -33,6 +33,12 @@ struct Chroma {
   return static_cast<std::uint8_t>((7471 * b + 38470 * g + 19595 * r + 32768) >> 16);
 }
 
+/// Bytes of a frame that lie evenly spaced.
+struct BytePlane {
+  const std::uint8_t* first{nullptr};
+  std::size_t step{0};  ///< bytes from one pixel's to the next; 0: there is no such plane
+};
+
 /// Reads a frame's pixels by their index (row * width + column), whatever its format.
 class PixelReader {
  public:
@@ -63,6 +69,28 @@ class PixelReader {
     }
     const Bgr colour = bayer(pixel);
     return luminance_of_bgr(colour.b, colour.g, colour.r);
+  }
+
+  /// The luminance of all pixels, where the frame has it as such.
+  [[nodiscard]] BytePlane luminance_plane() const {
+    switch (format_) {
+      case PixelFormat::kYuyv:
+        return {bytes_, 2};
+      case PixelFormat::kUyvy:
+        return {bytes_ + 1, 2};
+      case PixelFormat::kGrey:
+      case PixelFormat::kNv12:
+        return {bytes_, 1};
+      default:
+        return {};
+    }
+  }
+
+  /// The u of the first two pixels, where two pixels share four bytes: v two bytes on, the next
+  /// pair's four bytes on. Null for other formats.
+  [[nodiscard]] const std::uint8_t* chroma_pairs() const {
+    if (format_ == PixelFormat::kYuyv) return bytes_ + 1;
+    return format_ == PixelFormat::kUyvy ? bytes_ : nullptr;
   }
 
   /// Grey images have none: (128, 128).

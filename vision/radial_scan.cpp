@@ -71,14 +71,12 @@ std::uint8_t chroma_length(Chroma chroma) {
 }  // namespace
 
 RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
-    : window_(chroma_window | 1U) {
+    : chroma_reader_(chroma_window, lines.longest()) {
   std::size_t size = 0;
   for (const ScanRange& range : lines.radial()) size = std::max(size, range.first + range.count);
   luminance_.resize(size);
   classes_.resize(size);
   chromas_.resize(size);
-  single_.reserve(lines.longest());
-  smooth_.reserve(lines.longest());
   surfaces_.resize(size);
   carpet_ends_.reserve(lines.radial().size());
 }
@@ -96,48 +94,21 @@ void RadialScan::read(const PixelReader& pixels,
   }
 }
 
-// The mean over a window of samples: chroma is noisy, more so in the dark.
-void RadialScan::read_chroma(const PixelReader& pixels, std::span<const ScanSample> line) {
-  const std::size_t n = line.size();
-  const std::size_t half = window_ / 2;
-  single_.clear();
-  for (const ScanSample& sample : line) single_.push_back(pixels.chroma(sample.nearest));
-  smooth_.clear();
-  unsigned u = 0;
-  unsigned v = 0;
-  const auto at = [&](std::size_t i) {
-    return single_[std::min(i < half ? 0 : i - half, n - 1)];
-  };
-  for (std::size_t k = 0; k + 1 < window_; ++k) {
-    u += at(k).u;
-    v += at(k).v;
-  }
-  const auto count = static_cast<unsigned>(window_);
-  for (std::size_t i = 0; i < n; ++i) {
-    u += at(i + window_ - 1).u;
-    v += at(i + window_ - 1).v;
-    smooth_.push_back({static_cast<std::uint8_t>(u / count), static_cast<std::uint8_t>(v / count)});
-    u -= at(i).u;
-    v -= at(i).v;
-  }
-}
-
 void RadialScan::classify(const PixelReader& pixels,
                           const ColourClasses& colours,
                           const ScanLines& lines) {
   for (const ScanRange& range : lines.radial()) {
-    const auto line = lines.samples(range);
-    read_chroma(pixels, line);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const Chroma mean = smooth_[i];
-      const float y = luminance_at(pixels, line[i]);
-      const ColourClass colour = colours.of(mean);
-      luminance_[range.first + i] = y;
+    const auto taps = lines.taps(range);
+    const auto luminance = std::span(luminance_).subspan(range.first, range.count);
+    read_luminance(pixels, taps, luminance);
+    const auto chroma = chroma_reader_.read(pixels, taps);
+    for (std::size_t i = 0; i < range.count; ++i) {
+      const ColourClass colour = colours.of(chroma[i]);
       classes_[range.first + i] = colour;
-      chromas_[range.first + i] = chroma_length(mean);
-      if (colour == ColourClass::kGreen) meter_.add_green(y, mean);
+      chromas_[range.first + i] = chroma_length(chroma[i]);
+      if (colour == ColourClass::kGreen) meter_.add_green(luminance[i], chroma[i]);
     }
-    meter_.add_samples(line.size());
+    meter_.add_samples(range.count);
   }
 }
 

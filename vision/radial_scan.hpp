@@ -7,6 +7,7 @@
 
 #include "vision/carpet.hpp"
 #include "vision/colour_classes.hpp"
+#include "vision/line_reader.hpp"
 #include "vision/pixel_reader.hpp"
 #include "vision/scan_lines.hpp"
 
@@ -57,13 +58,10 @@ class RadialScan {
 
  private:
   void classify(const PixelReader& pixels, const ColourClasses& colours, const ScanLines& lines);
-  void read_chroma(const PixelReader& pixels, std::span<const ScanSample> line);
   void judge(const ScanRange& range);
   [[nodiscard]] std::size_t find_carpet_end(const ScanRange& range) const;
 
-  std::size_t window_;
-  std::vector<Chroma> single_;  // of one line
-  std::vector<Chroma> smooth_;
+  ChromaReader chroma_reader_;
   std::vector<float> luminance_;
   std::vector<ColourClass> classes_;
   std::vector<std::uint8_t> chromas_;  // distance from grey
@@ -72,16 +70,5 @@ class RadialScan {
   CarpetMeter meter_;
   Carpet carpet_;
 };
-
-/// Luminance of one sample, interpolated between the four pixels around it.
-[[nodiscard]] inline float luminance_at(const PixelReader& pixels, const ScanSample& sample) {
-  const auto y = [&](std::size_t pixel) {
-    return static_cast<float>(pixels.luminance(pixel));
-  };
-  const float above = y(sample.corner) + sample.right * (y(sample.corner + 1) - y(sample.corner));
-  const std::size_t under = sample.corner + pixels.width();
-  const float below = y(under) + sample.right * (y(under + 1) - y(under));
-  return above + sample.below * (below - above);
-}
 
 }  // namespace teamsight::vision

@@ -28,7 +28,7 @@ class Sampler {
         rays_(rays) {}
 
   /// Nothing outside the image, under the mask, or where no floor within reach is seen.
-  [[nodiscard]] std::optional<ScanSample> at(double radius, double direction) const {
+  [[nodiscard]] std::optional<ScanStep> at(double radius, double direction) const {
     const Mask& mask = parameters_.mask;
     if (radius < mask.inner_radius_px || radius > mask.outer_radius_px) return std::nullopt;
     if (is_masked(mask, direction)) return std::nullopt;
@@ -43,29 +43,30 @@ class Sampler {
     if (!floor || std::hypot(floor->x, floor->y) > parameters_.scan.max_distance) {
       return std::nullopt;
     }
-    return sample_at(pixel, *floor);
+    return step_at(pixel, *floor);
   }
 
  private:
-  [[nodiscard]] ScanSample sample_at(const Pixel& pixel, const Point<Robot>& floor) const {
+  [[nodiscard]] ScanStep step_at(const Pixel& pixel, const Point<Robot>& floor) const {
     const double column = std::floor(pixel.u);
     const double row = std::floor(pixel.v);
     const auto index = [&](double u, double v) {
       return static_cast<std::uint32_t>(v) * rays_.width() + static_cast<std::uint32_t>(u);
     };
+    SampleTap tap;
+    tap.corner = index(column, row);
+    tap.nearest = index(std::round(pixel.u), std::round(pixel.v));
+    tap.right = static_cast<float>(pixel.u - column);
+    tap.below = static_cast<float>(pixel.v - row);
     ScanSample sample;
-    sample.corner = index(column, row);
-    sample.nearest = index(std::round(pixel.u), std::round(pixel.v));
-    sample.right = static_cast<float>(pixel.u - column);
-    sample.below = static_cast<float>(pixel.v - row);
     sample.u = static_cast<float>(pixel.u);
     sample.v = static_cast<float>(pixel.v);
     sample.x = static_cast<float>(floor.x);
     sample.y = static_cast<float>(floor.y);
-    const PixelRay& ray = rays_[sample.nearest];
+    const PixelRay& ray = rays_[tap.nearest];
     sample.radial_footprint = std::max(ray.radial_footprint, kSmallestFootprint);
     sample.tangential_footprint = std::max(ray.tangential_footprint, kSmallestFootprint);
-    return sample;
+    return {tap, sample};
   }
 
   const CameraParameters& parameters_;
@@ -94,9 +95,9 @@ ScanLines::ScanLines(const CameraParameters& parameters,
     const double direction = kTurn * i / parameters.scan.rays;
     const std::size_t first = samples_.size();
     for (int radius = 1; radius < reach; ++radius) {
-      const auto sample = sampler.at(radius, direction);
-      if (!sample && samples_.size() > first) break;
-      if (sample) samples_.push_back(*sample);
+      const auto step = sampler.at(radius, direction);
+      if (!step && samples_.size() > first) break;
+      if (step) add(*step);
     }
     close(radial_, {first, 0, direction});
   }
@@ -106,13 +107,17 @@ ScanLines::ScanLines(const CameraParameters& parameters,
   }
 }
 
-void ScanLines::add_circle(int steps,
-                           const std::function<std::optional<ScanSample>(int)>& sample_at) {
+void ScanLines::add(const ScanStep& step) {
+  taps_.push_back(step.tap);
+  samples_.push_back(step.sample);
+}
+
+void ScanLines::add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at) {
   std::size_t first = samples_.size();
   for (int step = 0; step < steps; ++step) {
-    const auto sample = sample_at(step);
-    if (sample) samples_.push_back(*sample);
-    if (sample && step + 1 < steps) continue;
+    const auto seen = step_at(step);
+    if (seen) add(*seen);
+    if (seen && step + 1 < steps) continue;
     close(circular_, {first, 0, 0.0});
     first = samples_.size();
   }
@@ -121,6 +126,7 @@ void ScanLines::add_circle(int steps,
 void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
   range.count = samples_.size() - range.first;
   if (range.count < kShortest) {
+    taps_.resize(range.first);
     samples_.resize(range.first);
     return;
   }

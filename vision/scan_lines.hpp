@@ -14,18 +14,28 @@
 
 namespace teamsight::vision {
 
-/// One step of a scan line, about one pixel from the last.
-struct ScanSample {
+/// Where a frame is read for one sample: all that is needed of every sample of every frame.
+struct SampleTap {
   std::uint32_t corner{0};   ///< index of the pixel left above; all four around it are in the image
   std::uint32_t nearest{0};  ///< index of the nearest pixel
   float right{0.0F};         ///< how far between `corner` and its right neighbour, in [0, 1)
   float below{0.0F};         ///< the same downwards
-  float u{0.0F};             ///< px
-  float v{0.0F};             ///< px
-  float x{0.0F};             ///< of the floor there, in R; m
+};
+
+/// One step of a scan line, about one pixel from the last.
+struct ScanSample {
+  float u{0.0F};  ///< px
+  float v{0.0F};  ///< px
+  float x{0.0F};  ///< of the floor there, in R; m
   float y{0.0F};
   float radial_footprint{0.0F};      ///< metres of floor per pixel, away from the robot
   float tangential_footprint{0.0F};  ///< metres of floor per pixel, around the robot
+};
+
+/// Both of one sample.
+struct ScanStep {
+  SampleTap tap;
+  ScanSample sample;
 };
 
 /// A part of the sample list.
@@ -52,16 +62,23 @@ class ScanLines {
     return std::span(samples_).subspan(range.first, range.count);
   }
 
+  /// Of each of the samples.
+  [[nodiscard]] std::span<const SampleTap> taps(const ScanRange& range) const {
+    return std::span(taps_).subspan(range.first, range.count);
+  }
+
   /// Samples of the longest line.
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
  private:
-  /// Appends the arcs of one circle; `sample_at` gives nothing where the view is masked.
-  void add_circle(int steps, const std::function<std::optional<ScanSample>(int)>& sample_at);
+  /// Appends the arcs of one circle; `step_at` gives nothing where the view is masked.
+  void add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at);
+  void add(const ScanStep& step);
   /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
   void close(std::vector<ScanRange>& ranges, ScanRange range);
 
-  std::vector<ScanSample> samples_;
+  std::vector<SampleTap> taps_;
+  std::vector<ScanSample> samples_;  // of each tap
   std::vector<ScanRange> radial_;
   std::vector<ScanRange> circular_;
   std::size_t longest_{0};

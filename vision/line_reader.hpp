@@ -1,0 +1,38 @@
+// vision/line_reader.hpp: luminance and chroma along a scan line, the frame's format asked once.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vision/pixel_reader.hpp"
+#include "vision/scan_lines.hpp"
+
+namespace teamsight::vision {
+
+/// Luminance interpolated between the four pixels around each place, grey levels.
+///
+/// @param luminance  one for each tap
+void read_luminance(const PixelReader& pixels,
+                    std::span<const SampleTap> taps,
+                    std::span<float> luminance);
+
+/// Chroma of single pixels is noisy, more so in the dark: its mean over a window of the line.
+class ChromaReader {
+ public:
+  /// @param window  samples, odd, less than 128
+  /// @param longest  of the lines to be read
+  ChromaReader(std::size_t window, std::size_t longest);
+
+  /// @return one for each tap; valid until the next call
+  [[nodiscard]] std::span<const Chroma> read(const PixelReader& pixels,
+                                             std::span<const SampleTap> taps);
+
+ private:
+  std::size_t window_;
+  std::uint32_t reciprocal_;
+  std::vector<Chroma> single_;  // half a window longer at both ends
+  std::vector<Chroma> mean_;
+};
+
+}  // namespace teamsight::vision
