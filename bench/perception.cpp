@@ -24,8 +24,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kLargeWidth_px = 1280;
-constexpr std::uint32_t kLargeHeight_px = 1024;
+constexpr std::uint32_t kLargeWidth = 1280;   // px
+constexpr std::uint32_t kLargeHeight = 1024;  // px
 
 Duration between(Clock::time_point start, Clock::time_point end) {
   return std::chrono::duration_cast<Duration>(end - start);
@@ -35,11 +35,11 @@ Duration between(Clock::time_point start, Clock::time_point end) {
 vision::CameraParameters enlarged(const vision::CameraParameters& camera) {
   vision::CameraParameters large = camera;
   auto& table = std::get<vision::RadialTable>(large.mirror);
-  const double scale = 1.0 * kLargeWidth_px / camera.width_px;
-  large.width_px = kLargeWidth_px;
-  large.height_px = kLargeHeight_px;
-  table.centre_u_px = 0.5 * (kLargeWidth_px - 1);
-  table.centre_v_px = 0.5 * (kLargeHeight_px - 1);
+  const double scale = 1.0 * kLargeWidth / camera.width_px;
+  large.width_px = kLargeWidth;
+  large.height_px = kLargeHeight;
+  table.centre_u_px = 0.5 * (kLargeWidth - 1);
+  table.centre_v_px = 0.5 * (kLargeHeight - 1);
   for (vision::RingMark& row : table.rows) row.radius_px *= scale;
   large.mask.inner_radius_px *= scale;
   large.mask.outer_radius_px *= scale;
