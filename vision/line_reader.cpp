@@ -73,9 +73,9 @@ std::span<const Chroma> ChromaReader::read(const PixelReader& pixels,
   const std::size_t n = taps.size();
   const std::size_t half = window_ / 2;
   const std::span<Chroma> line = std::span(single_).subspan(half, n);
-  if (const std::uint8_t* pairs = pixels.chroma_pairs(); pairs != nullptr) {
+  if (const BytePlane pairs = pixels.chroma_pairs(); pairs.step == 4) {
     for (std::size_t i = 0; i < n; ++i) {
-      const std::uint8_t* pair = pairs + 4 * std::size_t{taps[i].nearest / 2};
+      const std::uint8_t* pair = pairs.first + 4 * std::size_t{taps[i].nearest / 2};
       line[i] = {pair[0], pair[2]};
     }
   } else {

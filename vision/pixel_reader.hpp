@@ -36,7 +36,7 @@ struct Chroma {
 /// Bytes of a frame that lie evenly spaced.
 struct BytePlane {
   const std::uint8_t* first{nullptr};
-  std::size_t step{0};  ///< bytes from one pixel's to the next; 0: there is no such plane
+  std::size_t step{0};  ///< bytes from one to the next; 0: there is no such plane
 };
 
 /// Reads a frame's pixels by their index (row * width + column), whatever its format.
@@ -86,11 +86,10 @@ class PixelReader {
     }
   }
 
-  /// The u of the first two pixels, where two pixels share four bytes: v two bytes on, the next
-  /// pair's four bytes on. Null for other formats.
-  [[nodiscard]] const std::uint8_t* chroma_pairs() const {
-    if (format_ == PixelFormat::kYuyv) return bytes_ + 1;
-    return format_ == PixelFormat::kUyvy ? bytes_ : nullptr;
+  /// The u of each two pixels, where two pixels share four bytes; their v is two bytes on.
+  [[nodiscard]] BytePlane chroma_pairs() const {
+    if (format_ == PixelFormat::kYuyv) return {bytes_ + 1, 4};
+    return format_ == PixelFormat::kUyvy ? BytePlane{bytes_, 4} : BytePlane{};
   }
 
   /// Grey images have none: (128, 128).
