@@ -23,6 +23,7 @@ Cost measure(Stage& stage, const std::string& title) {
   stage.outcome.say(title + ": start-up " + number(cost.start_ms, 0) + " ms, " +
                     number(cost.mbit, 2) + " Mbit/s, leader's models " + number(cost.age_ms, 2) +
                     " ms old on arrival (median of the slowest reader)");
+  stage.outcome.expect(cost.age_ms > 0.0, title + ": models came over the air");
   return cost;
 }
 
@@ -143,23 +144,35 @@ Outcome attack_on(const ScenarioOptions& options) {
 }
 
 Outcome security(const ScenarioOptions& options) {
-  TeamOptions team = team_of(options);
-  team.robots = 5;
-  Cost off;
-  std::vector<std::string> lines;
-  {
-    Stage stage("security", options, team);
-    off = measure(stage, "security off");
-    lines = stage.outcome.lines;
-  }
-  team.secured = true;
-  Stage stage("security", options, team, 2);
+  TeamOptions plain = team_of(options);
+  plain.robots = 5;
+  TeamOptions secured = plain;
+  secured.secured = true;
+  Outcome before;
+  const auto take_turn = [&](const TeamOptions& team, const char* name, std::size_t strangers) {
+    Stage stage("security", options, team, strangers);
+    const Cost cost = measure(stage, name);
+    before.lines.insert(before.lines.end(), stage.outcome.lines.begin(), stage.outcome.lines.end());
+    before.broken.insert(
+        before.broken.end(), stage.outcome.broken.begin(), stage.outcome.broken.end());
+    return cost;
+  };
+  // Both twice, in turns: whatever else the machine does can only make a model older.
+  Cost off = take_turn(plain, "security off", 0);
+  const Cost first_on = take_turn(secured, "security on", 2);
+  off.age_ms = std::min(off.age_ms, take_turn(plain, "security off", 0).age_ms);
+  Stage stage("security", options, secured, 2);
   const Cost on = measure(stage, "security on");
-  stage.outcome.lines.insert(stage.outcome.lines.begin(), lines.begin(), lines.end());
-  stage.outcome.expect(on.start_ms >= 0 && on.start_ms <= 3000.0, "start-up within 3 s");
-  stage.outcome.expect(on.age_ms <= std::max(1.5 * off.age_ms, off.age_ms + 0.5),
-                       "latency within 1.5 of that without, or half a millisecond");
-  expect_no_stranger(stage, team);
+  stage.outcome.lines.insert(stage.outcome.lines.begin(), before.lines.begin(), before.lines.end());
+  stage.outcome.broken.insert(
+      stage.outcome.broken.end(), before.broken.begin(), before.broken.end());
+  for (const double start_ms : {first_on.start_ms, on.start_ms}) {
+    stage.outcome.expect(start_ms >= 0 && start_ms <= 3000.0, "start-up within 3 s");
+  }
+  stage.outcome.expect(
+      std::min(first_on.age_ms, on.age_ms) <= std::max(1.5 * off.age_ms, off.age_ms + 0.5),
+      "latency within 1.5 of that without, or half a millisecond");
+  expect_no_stranger(stage, secured);
   expect_no_impostor(stage);
   return stage.outcome;
 }
