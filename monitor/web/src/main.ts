@@ -181,7 +181,8 @@ async function loadRecording(address: string, dateMinusStampNs: bigint): Promise
 function take(update: MonitorUpdate, bytes: Uint8Array): void {
   if (update.field) {
     field.setField(update.field);
-    write(byId("team"), `${update.team} · ${update.field.name}${update.recording ? "" : ` · domain ${update.domainId}`}`);
+    write(byId("team"), update.team);
+    write(byId("where"), ` · ${update.field.name}${update.recording ? "" : ` · domain ${update.domainId}`}`);
   }
   if (update.refused) orders.refuse(update.refused);
   if (update.recording) {

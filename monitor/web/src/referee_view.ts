@@ -5,7 +5,7 @@ import { byId, html, set, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
 
-const PHASES = ["no phase", "before the game", "first half", "half time", "second half", "over", "shoot-out"];
+const PHASES = ["", "before the game", "first half", "half time", "second half", "over", "shoot-out"];
 const PIECES = ["", "kick-off", "free kick", "goal kick", "throw-in", "corner", "penalty", "drop ball", "parking"];
 
 /** What is played now, in words. */
@@ -58,8 +58,9 @@ export function drawGame(update: MonitorUpdate): void {
   write(byId("score"), `${state?.goalsOwn ?? 0} : ${state?.goalsOpponent ?? 0}`);
   write(byId("game"), gameText(report));
   set(byId("game"), { class: state?.running ? "running" : "" });
-  write(byId("phase"), PHASES[state?.phase ?? 0] ?? "");
-  write(byId("command"), commandText(report));
+  const course = [PHASES[state?.phase ?? 0], commandText(report)].filter(Boolean).join(" · ");
+  write(byId("course"), course);
+  set(byId("course"), { title: course });
   const lamp = (id: string, tone: string, text: string, title: string): void => {
     const root = byId(id);
     set(root, { class: `lamp ${tone}`, title });

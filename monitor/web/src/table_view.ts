@@ -34,7 +34,8 @@ export function postureCell(row: RobotRow): Cell {
   if (!report) return DASH;
   if (report.status === PostureStatus.POSTURE_LOST) return cell("lost", "bad", `${report.linePoints} line points`);
   const [xx = NaN, , , yy = NaN] = report.posture?.cov ?? [];
-  const sigma = `±${(Math.sqrt(Math.max(xx, yy)) * 100).toFixed(0)} cm`;
+  const centimetres = Math.sqrt(Math.max(xx, yy)) * 100;
+  const sigma = `±${centimetres.toFixed(centimetres < 1 ? 1 : 0)} cm`;
   const title = `${format.percent(report.inlierRatio)} of ${report.linePoints} line points fit`;
   return report.status === PostureStatus.POSTURE_OK
     ? cell(`ok ${sigma}`, "good", title)
@@ -82,16 +83,16 @@ export function rejectedCell(row: RobotRow): Cell {
 
 const COLUMNS: Column[] = [
   { head: "Robot", width: 5, cell: (row) => cell(String(row.robotId)) },
-  { head: "Heard", width: 8.5, cell: (row, _mate, since) => linkCell(row, since) },
+  { head: "Heard", width: 8, cell: (row, _mate, since) => linkCell(row, since) },
   { head: "Rate", width: 5.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
   { head: "Loss", width: 5, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
-  { head: "Latency", width: 9.2, numeric: true, cell: latencyCell },
-  { head: "Posture", width: 15.4, cell: (row) => postureCell(row) },
+  { head: "Latency", width: 10.2, numeric: true, cell: latencyCell },
+  { head: "Posture", width: 15, cell: (row) => postureCell(row) },
   { head: "Half", width: 5.5, numeric: true, cell: (row) => halfCell(row) },
   { head: "Ball", width: 6, cell: ballCell },
   { head: "Camera", width: 6, numeric: true, cell: (row) => cameraCell(row) },
   { head: "Trust", width: 8, cell: (row, mate) => trustCell(row, mate) },
-  { head: "Not used", width: 9, cell: (row) => rejectedCell(row) },
+  { head: "Not used", width: 9.6, cell: (row) => rejectedCell(row) },
   { head: "Clock", width: 7, numeric: true, cell: (row) => clockCell(row) },
   { head: "Battery", width: 6.2, numeric: true, cell: (row) => (row.state?.batteryV ? cell(`${row.state.batteryV.toFixed(1)} V`) : DASH) },
   { head: "Drift", width: 5.8, numeric: true, cell: (row) => (row.state?.calibrationDriftPx ? cell(`${row.state.calibrationDriftPx.toFixed(1)} px`) : DASH) },

@@ -112,6 +112,8 @@ describe("a row of the table", () => {
 
   it("shows the posture with the wider of its sigmas", () => {
     expect(postureCell(row({ state: { posture: posture(PostureStatus.POSTURE_OK) } })).text).toBe("ok ±20 cm");
+    const fine = { ...posture(PostureStatus.POSTURE_OK), posture: { cov: [0.0016 ** 2, 0, 0, 0.004 ** 2, 0, 0.01] } };
+    expect(postureCell(row({ state: { posture: fine } })).text).toBe("ok ±0.4 cm");
     expect(postureCell(row({ state: { posture: posture(PostureStatus.POSTURE_LOST) } })).tone).toBe("bad");
     expect(postureCell(row({})).text).toBe(format.UNKNOWN);
   });
