@@ -117,11 +117,21 @@ struct ExplainedRobot {
   friend bool operator==(const ExplainedRobot&, const ExplainedRobot&) = default;
 };
 
+/// The operator's newest ball hint, as the leading fusion has it.
+struct ExplainedHint {
+  std::uint32_t command{0};  ///< that brought it; 0 = none was taken
+  std::uint32_t track{0};    ///< the ball that it means; 0 = none is seen there
+  Duration left{0};          ///< how long it still counts; 0 = over
+
+  friend bool operator==(const ExplainedHint&, const ExplainedHint&) = default;
+};
+
 struct Explanation {
   ObservationId id;
   PeerTime stamp;
   std::vector<ExplainedTrack> tracks;  ///< at most 14
   std::vector<ExplainedRobot> robots;  ///< at most 16
+  ExplainedHint hint;
 
   friend bool operator==(const Explanation&, const Explanation&) = default;
 };

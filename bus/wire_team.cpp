@@ -177,6 +177,9 @@ std::optional<Reject> to_wire(const Explanation& message, WireSample<Explanation
   }
   lend(out.storage.tracks, message.tracks.size(), wire.tracks);
   lend(out.storage.robots, message.robots.size(), wire.robots);
+  wire.hint_command_id = message.hint.command;
+  wire.hint_track_id = message.hint.track;
+  wire.hint_left_ms = encoding.age_ms(message.hint.left);
   return encoding.broken() ? encoding.broken() : broken_rule(wire);
 }
 
@@ -194,6 +197,9 @@ Result<Explanation, Reject> from_wire<Explanation>(const teamsight_v1_Explanatio
   for (std::uint32_t i = 0; i < wire.robots._length; ++i) {
     message.robots.push_back(read_robot(wire.robots._buffer[i]));
   }
+  message.hint = {wire.hint_command_id,
+                  wire.hint_track_id,
+                  std::chrono::milliseconds(wire.hint_left_ms)};
   return message;
 }
 

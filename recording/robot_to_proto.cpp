@@ -157,6 +157,10 @@ void to_proto(const bus::Explanation& from, v1::Explanation& to) {
   to.set_stamp_ns(to_ns(from.stamp));
   for (const bus::ExplainedTrack& track : from.tracks) fill(track, *to.add_tracks());
   for (const bus::ExplainedRobot& robot : from.robots) set(robot, *to.add_robots());
+  if (from.hint.command == 0) return;
+  to.mutable_hint()->set_command_id(from.hint.command);
+  to.mutable_hint()->set_track_id(from.hint.track);
+  to.mutable_hint()->set_left_ms(to_ms(from.hint.left));
 }
 
 void to_proto(const bus::LinePoints& from, v1::LinePoints& to) {

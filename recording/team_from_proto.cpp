@@ -36,9 +36,11 @@ bus::ExplainedRobot robot(const v1::ExplainedRobot& from, Decoding& decoding) {
 }
 
 bus::Explanation value(const v1::Explanation& from, Decoding& decoding) {
-  bus::Explanation to{decoding.id(from.sample()), stamp(from.stamp_ns()), {}, {}};
+  bus::Explanation to{decoding.id(from.sample()), stamp(from.stamp_ns()), {}, {}, {}};
   for (const auto& entry : from.tracks()) to.tracks.push_back(track(entry, decoding));
   for (const auto& entry : from.robots()) to.robots.push_back(robot(entry, decoding));
+  to.hint = {
+      from.hint().command_id(), from.hint().track_id(), decoding.from_ms(from.hint().left_ms())};
   return to;
 }
 

@@ -26,7 +26,7 @@ constexpr Duration kStartPhase = seconds(3);
 constexpr Duration kSlowPeriod = milliseconds(62);
 constexpr double kJitter = 0.1;
 // The most that they take, see idl/README.md.
-constexpr std::size_t kExplanationBytes = 952;
+constexpr std::size_t kExplanationBytes = 964;
 constexpr std::size_t kDiagnosticsBytes = 1268;
 
 Observation observation_of(const bus::Sightings& sightings, const ConvertedStamp& exposure) {

@@ -133,7 +133,7 @@ inline WorldModel full<WorldModel>() {
 
 template <>
 inline Explanation full<Explanation>() {
-  Explanation m{some_id(), at_ms(1000), {}, {}};
+  Explanation m{some_id(), at_ms(1000), {}, {}, {77, 8, std::chrono::milliseconds(4500)}};
   m.tracks.assign(14, {8, TrackKind::kObstacle, 3, 4, std::chrono::seconds(99), 1.125});
   m.robots.assign(16,
                   {kRobot,
