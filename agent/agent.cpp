@@ -338,8 +338,9 @@ bool Agent::carry_out(const bus::Command& command, HostTime now) {
     case bus::CommandKind::kThumbnail:
       pictures_until_ = now + command.duration;
       return true;
-    case bus::CommandKind::kNone:
     case bus::CommandKind::kBallHint:
+      return false;  // for fusion, which acknowledges it
+    case bus::CommandKind::kNone:
       break;
   }
   meter_.count("Command.not_understood");

@@ -207,7 +207,7 @@ enum class CommandKind : std::uint8_t {
 struct Command {
   ObservationId id;
   RobotId target{kNobody};   ///< kNobody = all robots
-  std::uint32_t command{0};  ///< acknowledged in RobotState; never 0
+  std::uint32_t command{0};  ///< acknowledged in RobotState, a hint in Explanation; never 0
   CommandKind kind{CommandKind::kNone};
   Pose<Field, Robot> X_FR;  ///< relocate: the posture; ball hint: x and y
   Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};

@@ -197,9 +197,8 @@ Result<Explanation, Reject> from_wire<Explanation>(const teamsight_v1_Explanatio
   for (std::uint32_t i = 0; i < wire.robots._length; ++i) {
     message.robots.push_back(read_robot(wire.robots._buffer[i]));
   }
-  message.hint = {wire.hint_command_id,
-                  wire.hint_track_id,
-                  std::chrono::milliseconds(wire.hint_left_ms)};
+  message.hint = {
+      wire.hint_command_id, wire.hint_track_id, std::chrono::milliseconds(wire.hint_left_ms)};
   return message;
 }
 

@@ -116,6 +116,11 @@ Intake Fusion::insert(const Observation& observation, HostTime now) {
   return intake;
 }
 
+void Fusion::take_hint(const BallHint& hint) {
+  TEAMSIGHT_EXPECT(hint.number != 0);
+  if (hint.number != hint_.number) hint_ = hint;
+}
+
 Intake Fusion::judge(const Observation& observation, HostTime now) const {
   if (observation.exposure > now + setting_.parameters.max_future) return Intake::kFromTheFuture;
   const ObservationId& id = observation.id;
@@ -188,6 +193,12 @@ void Fusion::take_in_from(std::size_t place) {
     Slot& slot = slots_[order_[i]];
     slot.after = i == 0 ? checkpoint_ : slots_[order_[i - 1]].after;
     advance(slot.after, slot.observation, setting_);
+    if (hint_.number == 0) continue;
+    heed(slot.after.hinted,
+         hint_,
+         slot.after.balls,
+         slot.observation.exposure,
+         setting_.parameters.hint);
   }
 }
 
@@ -220,10 +231,24 @@ void Fusion::adopt_ids(const WorldModel& world, HostTime at) {
                parameters.obstacle.gate_probability);
 }
 
+HintReport Fusion::hint_at(HostTime now, const WorldModel& world) const {
+  HintReport report;
+  if (hint_.number == 0) return report;
+  report.number = hint_.number;
+  report.left = time_left(hint_.given, now, setting_.parameters.hint);
+  if (head().hinted.hint != hint_.number) return report;
+  const std::uint32_t meant = names_.name_of(head().hinted.key);
+  for (const WorldBall& ball : world.balls) {
+    if (ball.track == meant) report.track = meant;
+  }
+  return report;
+}
+
 Report Fusion::report_at(HostTime now) const {
   Report report;
   const Duration window = setting_.parameters.support_window;
   const WorldModel world = world_at(now);
+  report.hint = hint_at(now, world);
   const auto is_in = [](const auto& list, std::uint32_t track) {
     return std::any_of(
         list.begin(), list.end(), [track](const auto& thing) { return thing.track == track; });

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fusion/ball_hint.hpp"
 #include "fusion/observation.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/state.hpp"
@@ -40,9 +41,17 @@ struct RobotReport {
   std::uint32_t rejected_posture{0};    ///< frames unused for want of a posture
 };
 
+/// What became of the operator's newest hint.
+struct HintReport {
+  std::uint32_t number{0};  ///< BallHint::number; 0 = none came
+  std::uint32_t track{0};   ///< the listed ball that it means; 0 = none
+  Duration left{0};         ///< how long it still counts; 0 = over
+};
+
 struct Report {
   std::vector<TrackReport> tracks;
   std::vector<RobotReport> robots;  ///< by robot id
+  HintReport hint;
 };
 
 /// Merges the observations of all robots, each at its own exposure, whatever the order of arrival.
@@ -60,6 +69,11 @@ class Fusion {
   /// @param observation  valid: finite numbers, positive covariances, known robot
   /// @param now  does not go back from call to call
   Intake insert(const Observation& observation, HostTime now);
+
+  /// Takes the operator's word about which ball is the game's. It decides which of the balls that
+  /// are seen is listed first, for some seconds, and changes nothing else. The same hint again does
+  /// nothing; another one replaces it.
+  void take_hint(const BallHint& hint);
 
   /// The world predicted to `now`. Maker, count and strength are the caller's to fill in.
   [[nodiscard]] WorldModel world_at(HostTime now) const;
@@ -100,8 +114,10 @@ class Fusion {
   void put(std::size_t place, const Observation& observation);
   void take_in_from(std::size_t place);
   [[nodiscard]] const State& head() const;
+  [[nodiscard]] HintReport hint_at(HostTime now, const WorldModel& world) const;
 
   Setting setting_;
+  BallHint hint_;
   State checkpoint_;
   HostTime folded_exposure_{kNever};
   ObservationId folded_id_;

@@ -102,10 +102,22 @@ struct TrustParameters {
   double jump{0.5};                               ///< m: a posture that jumps so far is held
 };
 
+/// How far a hint reaches, and for how long.
+struct HintParameters {
+  /// It weighs as much as so many robots that watch the ball now, and from then on ever less.
+  double robots{10.0};
+  Duration lasting{std::chrono::seconds(8)};
+  /// A ball passes as the one that was meant within this gate, in (0, 1).
+  double gate_probability{0.997};
+  /// Between what the operator saw and the hint: a ball that rolls is that far from it.
+  Duration reaction{std::chrono::milliseconds(500)};
+};
+
 /// Parameters of the whole fusion; SI and radians.
 struct Parameters {
   TrackParameters ball{default_ball_parameters()};
   BallMotion ball_motion;
+  HintParameters hint;
   TrustParameters trust;
   TrackParameters obstacle{default_obstacle_parameters()};
   TeammateParameters teammate;

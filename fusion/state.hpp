@@ -1,6 +1,7 @@
 // fusion/state.hpp: everything fusion believes at one moment, and how one observation changes it.
 #pragma once
 
+#include "fusion/ball_hint.hpp"
 #include "fusion/ball_identity.hpp"
 #include "fusion/ball_track.hpp"
 #include "fusion/observation.hpp"
@@ -18,6 +19,7 @@ namespace teamsight::fusion {
 struct State {
   BallList balls;
   std::uint32_t lost_ball{0};  ///< key of the track that was given up last; 0: none
+  HintedBall hinted;           ///< by the operator; decides which ball is listed first, no more
   TrackList obstacles;
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
   TeamErrors errors;

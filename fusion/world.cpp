@@ -115,11 +115,12 @@ void keep_most_probable(List& list, std::size_t count) {
 }
 
 /// The ball that most robots see now comes first, then the most probable: a robot that is alone
-/// with what it sees is more often wrong than all others.
+/// with what it sees is more often wrong than all others. An operator's hint counts as so many
+/// robots.
 std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parameters& parameters) {
   struct Ranked {
     WorldBall ball;
-    int watchers{0};
+    double watchers{0.0};
   };
 
   constexpr Duration kNow = std::chrono::milliseconds(200);
@@ -128,7 +129,9 @@ std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parame
     if (!is_listed(track.book, now, parameters.ball)) continue;
     const WorldBall ball = world_ball(track, now, parameters);
     if (!is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball)) continue;
-    ranked.push_back({ball, std::popcount(robots_within(track.book.supported, now, kNow))});
+    const int robots = std::popcount(robots_within(track.book.supported, now, kNow));
+    const double hint = weight_of(state.hinted, track.book.key, now, parameters.hint);
+    ranked.push_back({ball, robots + hint});
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
     return a.watchers != b.watchers ? a.watchers > b.watchers : a.ball.existence > b.ball.existence;

@@ -79,7 +79,13 @@ inline void pass_on(
     });
   });
   pass_on(loop, feeds.sightings, station, what_if);
-  pass_on(loop, feeds.explanations, station, what_if);
+  loop.on_readable(feeds.explanations.event_fd(), [&]() {
+    feeds.explanations.take(bus::host_now(), [&](const bus::Sample<bus::Explanation>& sample) {
+      station.hear(sample);
+      what_if.hear(sample);
+      if (sample.message) desk.hear(sample.message->hint);
+    });
+  });
   pass_on(loop, feeds.diagnostics, station);
   pass_on(loop, feeds.line_points, station);
   pass_on(loop, feeds.thumbnails, station);

@@ -2,9 +2,11 @@
 #include "monitor/order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include <google/protobuf/stubs/logging.h>
 
@@ -69,7 +71,9 @@ Parsed ball_hint(const Request::BallHint& order) {
   command.kind = bus::CommandKind::kBallHint;
   command.X_FR = {order.x_m(), order.y_m(), 0.0};
   command.cov = kByHand;
-  return robot_order(command, kNobody, "ball hint to all robots");
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "ball hint %.1f, %.1f m", order.x_m(), order.y_m());
+  return robot_order(command, kNobody, text.data());
 }
 
 bool is_look_time(double duration_ms) {

@@ -26,7 +26,14 @@ bus::Command OrderDesk::take(const RobotOrder& order,
   next_command_ = next_command_ + 1 == 0 ? 1 : next_command_ + 1;
   pending.text = order.text;
   pending.given = pending.written = now;
-  if (order.command.target == kNobody) {
+  const bool is_hint = order.command.kind == bus::CommandKind::kBallHint;
+  if (is_hint) {
+    // A newer one replaces it; repeating both would have the fusion go to and fro.
+    std::erase_if(pending_, [](const Pending& older) {
+      return older.command.kind == bus::CommandKind::kBallHint;
+    });
+    pending.waits_for.insert(kNobody);
+  } else if (order.command.target == kNobody) {
     pending.waits_for.insert(alive.begin(), alive.end());
   } else {
     pending.waits_for.insert(order.command.target);
@@ -40,6 +47,10 @@ void OrderDesk::hear(RobotId robot, std::uint32_t acknowledged) {
   for (Pending& pending : pending_) {
     if (pending.command.command == acknowledged) pending.waits_for.erase(robot);
   }
+}
+
+void OrderDesk::hear(const bus::ExplainedHint& hint) {
+  if (hint.command != 0) hear(kNobody, hint.command);
 }
 
 std::vector<bus::Command> OrderDesk::due(HostTime now) {

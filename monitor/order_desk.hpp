@@ -14,7 +14,8 @@
 
 namespace teamsight::monitor {
 
-/// Follows every order until its robots acknowledge it, or for three seconds. A value; no clock.
+/// Follows every order until its robots acknowledge it, a ball hint until the leading fusion does,
+/// or for three seconds. A value; no clock.
 class OrderDesk {
  public:
   /// @param boot  of this start of the station; orders are numbered from a number made of it, so
@@ -29,6 +30,9 @@ class OrderDesk {
   /// A robot says what it has carried out.
   void hear(RobotId robot, std::uint32_t acknowledged);
 
+  /// The leading fusion says which ball hint it has taken.
+  void hear(const bus::ExplainedHint& hint);
+
   /// The commands to write again: those not acknowledged yet.
   [[nodiscard]] std::vector<bus::Command> due(HostTime now);
 
@@ -41,7 +45,7 @@ class OrderDesk {
     std::string text;
     HostTime given;
     HostTime written;
-    std::set<RobotId> waits_for;
+    std::set<RobotId> waits_for;  ///< kNobody: the leading fusion
   };
 
   std::uint32_t boot_;

@@ -80,6 +80,7 @@ Service::Service(bus::Participant& team,
       worlds_(team),
       probes_(team),
       echoes_(team),
+      commands_(team),
       team_world_(team, identity.strength),
       host_world_(host, identity.strength),
       explanation_(team),
@@ -97,6 +98,7 @@ void Service::attach(bus::Loop& loop) {
   loop.on_readable(worlds_.event_fd(), [this] { take_worlds(bus::host_now()); });
   loop.on_readable(probes_.event_fd(), [this] { take_probes(bus::host_now()); });
   loop.on_readable(echoes_.event_fd(), [this] { take_echoes(bus::host_now()); });
+  loop.on_readable(commands_.event_fd(), [this] { take_commands(bus::host_now()); });
   loop.every(kTurn, [this] { turn(bus::host_now()); });
   loop.every(
       milliseconds(500), [this] { publish_explanation(bus::host_now()); }, kJitter);
@@ -162,6 +164,20 @@ void Service::take_echoes(HostTime now) {
   });
 }
 
+// Every instance takes a hint alike, so that the next leader goes on with it.
+void Service::take_commands(HostTime now) {
+  commands_.take(now, [&](const bus::Sample<bus::Command>& sample) {
+    if (!sample.message || sample.message->kind != bus::CommandKind::kBallHint) return;
+    const bus::Command& command = *sample.message;
+    if (std::exchange(hinted_, command.command) == command.command) return;
+    fusion_.take_hint(
+        {command.command, now, command.X_FR.origin(), command.cov.topLeftCorner<2, 2>()});
+    meter_.count("Command.ball_hint");
+    // The operator waits for it, however full the air is.
+    if (leadership_.leads(now)) write_explanation(now);
+  });
+}
+
 void Service::turn(HostTime now) {
   const bool leads = leadership_.leads(now);
   const Duration since = now - published_;
@@ -201,6 +217,10 @@ void Service::publish_probe(HostTime now) {
 
 void Service::publish_explanation(HostTime now) {
   if (!leadership_.leads(now) || !air_.may_tell(kExplanationBytes, now)) return;
+  write_explanation(now);
+}
+
+void Service::write_explanation(HostTime now) {
   const Report report = fusion_.report_at(now);
   bus::Explanation explanation;
   ++explanation_count_;
@@ -214,6 +234,7 @@ void Service::publish_explanation(HostTime now) {
       explanation.robots.back().clock_sigma = clock->sigma;
     }
   }
+  explanation.hint = {report.hint.number, report.hint.track, report.hint.left};
   explanation_.write(explanation);
 }
 

@@ -43,9 +43,11 @@ class Service {
   void take_worlds(HostTime now);
   void take_probes(HostTime now);
   void take_echoes(HostTime now);
+  void take_commands(HostTime now);
   void turn(HostTime now);
   void publish_world(HostTime now, bool leads);
   void publish_explanation(HostTime now);
+  void write_explanation(HostTime now);
   void publish_diagnostics(HostTime now);
   void publish_probe(HostTime now);
   void speak(WorldModel& world, HostTime now);
@@ -61,6 +63,7 @@ class Service {
   bus::Reader<WorldModel> worlds_;
   bus::Reader<bus::ClockProbe> probes_;
   bus::Reader<bus::ClockEcho> echoes_;
+  bus::Reader<bus::Command> commands_;
   bus::Writer<WorldModel> team_world_;
   bus::Writer<WorldModel> host_world_;
   bus::Writer<bus::Explanation> explanation_;
@@ -76,6 +79,7 @@ class Service {
   HostTime spoken_{};  // over the air
   HostTime last_intake_{};
   HostTime probed_{};
+  std::uint32_t hinted_{0};  // the command of the newest ball hint
   bool has_news_{false};
 };
 

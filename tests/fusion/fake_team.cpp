@@ -46,7 +46,9 @@ std::vector<std::uint32_t> ids_of(const WorldModel& world) {
 
 FakeTeam::FakeTeam(std::uint32_t team_domain)
     : participant_(bus::Participant::join(demo_domain(team_domain))),
-      worlds_(participant_) {
+      commands_(participant_),
+      worlds_(participant_),
+      explanations_(participant_) {
   for (RobotId robot = 1; robot <= 3; ++robot) {
     writers_.emplace_back(participant_);
     eyes_.emplace_back(robot, process::draw_boot_id());
@@ -57,7 +59,8 @@ void FakeTeam::write_frames() {
   for (std::size_t i = 0; i < eyes_.size(); ++i) {
     Eye& eye = eyes_[i];
     eye.look(kStands[i], bus::host_now());
-    eye.see_ball(kBall);
+    if (is_deceived_) eye.see_ball(kOrangeThing);
+    if (!is_deceived_ || i != 1) eye.see_ball(kBall);
     eye.see_obstacle(kOpponent);
     bus::Sightings sightings;
     sightings.id = eye.frame().id;
@@ -70,6 +73,22 @@ void FakeTeam::write_frames() {
   }
 }
 
+void FakeTeam::hint(std::uint32_t command, const Point<Field>& p_FB) {
+  bus::Command order;
+  order.id = {kNobody, 1, 1};
+  order.command = command;
+  order.kind = bus::CommandKind::kBallHint;
+  order.X_FR = {p_FB.x, p_FB.y, 0.0};
+  order.cov = 0.25 * Eigen::Matrix3d::Identity();
+  commands_.write(order);
+}
+
+bool FakeTeam::sees_the_ball_first() const {
+  if (heard_.empty() || heard_.back().model.balls.size() != 2) return false;
+  const Point<Field> first = heard_.back().model.balls[0].p_FB.on_floor();
+  return (first.vector() - kBall.vector()).norm() < 0.3;
+}
+
 bool FakeTeam::play_until(const std::function<bool()>& is_done, std::chrono::milliseconds bound) {
   const HostTime end = bus::host_now() + bound;
   for (HostTime now = bus::host_now(); now < end; now = bus::host_now()) {
@@ -79,6 +98,9 @@ bool FakeTeam::play_until(const std::function<bool()>& is_done, std::chrono::mil
     }
     worlds_.take(now, [&](const bus::Sample<WorldModel>& sample) {
       if (sample.message) heard_.push_back({*sample.message, now});
+    });
+    explanations_.take(now, [&](const bus::Sample<bus::Explanation>& sample) {
+      if (sample.message) acknowledged_ = sample.message->hint;
     });
     if (is_done()) return true;
     const auto rest =

@@ -33,6 +33,18 @@ class FakeTeam {
   [[nodiscard]] bool play_until(const std::function<bool()>& is_done,
                                 std::chrono::milliseconds bound);
 
+  /// From now on all see an orange thing as well, and robot 2 that alone.
+  void deceive() { is_deceived_ = true; }
+
+  /// Gives the operator's word, as the coach station does.
+  void hint(std::uint32_t command, const Point<Field>& p_FB);
+
+  /// The hint that the leading fusion acknowledged last.
+  [[nodiscard]] const bus::ExplainedHint& acknowledged() const { return acknowledged_; }
+
+  /// Whether the newest model lists the ball before the orange thing, and both.
+  [[nodiscard]] bool sees_the_ball_first() const;
+
   /// Everything heard so far, oldest first.
   [[nodiscard]] const std::vector<HeardWorld>& heard() const { return heard_; }
 
@@ -40,6 +52,7 @@ class FakeTeam {
   [[nodiscard]] bool sees_whole_world_of(RobotId maker) const;
 
   static constexpr Point<Field> kBall{1.0, 0.5};
+  static constexpr Point<Field> kOrangeThing{-1.0, 3.0};
   static constexpr Point<Field> kOpponent{0.0, -2.0};
 
  private:
@@ -47,7 +60,11 @@ class FakeTeam {
 
   bus::Participant participant_;
   std::vector<bus::Writer<bus::Sightings>> writers_;
+  bus::Writer<bus::Command> commands_;
   bus::Reader<WorldModel> worlds_;
+  bus::Reader<bus::Explanation> explanations_;
+  bus::ExplainedHint acknowledged_;
+  bool is_deceived_{false};
   std::vector<Eye> eyes_;
   std::vector<HeardWorld> heard_;
   HostTime next_frame_{};

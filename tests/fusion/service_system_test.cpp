@@ -113,5 +113,27 @@ TEST_F(FusionService, ALeaderThatWasStoppedComesBackWithTheSameWorld) {
   }
 }
 
+TEST_F(FusionService, TheNextGoesOnWithTheOperatorsHintWhenTheLeaderIsKilled) {
+  constexpr std::uint32_t kCommand = 77;
+  ASSERT_TRUE(play_until_led_by(team_, 3)) << processes_[2].err();
+  team_.deceive();
+  ASSERT_TRUE(team_.play_until(
+      [&] { return team_.heard().back().model.balls.size() == 2 && !team_.sees_the_ball_first(); },
+      seconds(10)));
+
+  team_.hint(kCommand, FakeTeam::kBall);
+  ASSERT_TRUE(team_.play_until([&] { return team_.sees_the_ball_first(); }, seconds(5)));
+  const auto is_said = [&] {
+    return team_.acknowledged().command == kCommand && team_.acknowledged().track != 0;
+  };
+  ASSERT_TRUE(team_.play_until(is_said, seconds(5)));
+
+  processes_[2].kill(SIGKILL);
+  const auto next_has_it = [&] {
+    return team_.heard().back().model.id.robot == 2 && team_.sees_the_ball_first();
+  };
+  EXPECT_TRUE(team_.play_until(next_has_it, seconds(3)));
+}
+
 }  // namespace
 }  // namespace teamsight::fusion

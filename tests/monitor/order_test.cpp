@@ -140,6 +140,36 @@ TEST(OrderDesk, WaitsForEveryRobotOfAnOrderToAll) {
   EXPECT_EQ(desk.report(kNow).at(0).state, ActionState::kDone);
 }
 
+RobotOrder hint() {
+  RobotOrder order;
+  order.command.kind = bus::CommandKind::kBallHint;
+  return order;
+}
+
+TEST(OrderDesk, HasABallHintAcknowledgedByTheLeadingFusionNotByRobots) {
+  OrderDesk desk(7);
+  const bus::Command command = desk.take(hint(), {1, 3}, kNow);
+
+  desk.hear(1, command.command);
+  desk.hear(3, command.command);
+  desk.hear(bus::ExplainedHint{});
+  EXPECT_EQ(desk.report(kNow).at(0).state, ActionState::kWaiting);
+  desk.hear(bus::ExplainedHint{command.command, 0, seconds(8)});
+
+  EXPECT_EQ(desk.report(kNow).at(0).state, ActionState::kDone);
+}
+
+TEST(OrderDesk, RepeatsOnlyTheNewestBallHint) {
+  OrderDesk desk(7);
+  static_cast<void>(desk.take(hint(), {1}, kNow));
+  const bus::Command newest = desk.take(hint(), {1}, kNow);
+
+  const auto again = desk.due(kNow + milliseconds(400));
+
+  ASSERT_THAT(again, SizeIs(1));
+  EXPECT_EQ(again[0].command, newest.command);
+}
+
 TEST(OrderDesk, SaysThatNobodyAnswersAndForgetsLater) {
   OrderDesk desk(7);
   static_cast<void>(desk.take(mute(3), {}, kNow));
