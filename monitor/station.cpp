@@ -213,8 +213,33 @@ void Station::note_quarantines(const WorldModel& world, HostTime now) {
   }
 }
 
+void Station::note_hint(const bus::ExplainedHint& hint, HostTime now) {
+  const bool is_new = hint.command != hint_.command;
+  const bool counts = hint.left > Duration{0};
+  const bool counted = !is_new && hint_.left > Duration{0};
+  if (counts && hint.track != 0 && (is_new || hint_.track != hint.track)) {
+    note(now, Level::kInfo, "The ball hint counts: the ball there comes first");
+  }
+  if (!counts && counted) {
+    note(now,
+         Level::kInfo,
+         hint_.track == 0 ? "The ball hint is over: no robot sees a ball there"
+                          : "The ball hint is over");
+  }
+  hint_ = hint;
+  hint_heard_ = now;
+}
+
+std::optional<bus::ExplainedHint> Station::hint_at(HostTime now) const {
+  bus::ExplainedHint hint = hint_;
+  hint.left -= now - hint_heard_;
+  if (hint.command == 0 || hint.left <= Duration{0}) return std::nullopt;
+  return hint;
+}
+
 void Station::hear(const bus::Sample<bus::Explanation>& sample) {
   if (!sample.message) return;
+  note_hint(sample.message->hint, sample.received);
   for (const bus::ExplainedRobot& robot : sample.message->robots) {
     const auto found = robots_.find(robot.robot);
     if (found != robots_.end()) found->second.explained = robot;
@@ -285,6 +310,7 @@ Update Station::update(HostTime now) {
     if (!name.starts_with(kAgentPrefix)) update.processes.push_back(diagnostics);
   }
   for (const auto& [name, value] : rejected_) update.rejected.push_back({name, value});
+  update.hint = hint_at(now);
   update.thumbnails = std::exchange(thumbnails_, {});
   update.events = std::exchange(events_, {});
   update.silence = silence(update);

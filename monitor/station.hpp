@@ -103,6 +103,8 @@ class Station {
   void note_camera(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   void note_version(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   [[nodiscard]] bool is_other_version(const bus::RobotState& state) const;
+  void note_hint(const bus::ExplainedHint& hint, HostTime now);
+  [[nodiscard]] std::optional<bus::ExplainedHint> hint_at(HostTime now) const;
   void note_quarantines(const WorldModel& world, HostTime now);
   [[nodiscard]] RobotRow row_of(RobotId robot, const Watch& watch, HostTime now) const;
   [[nodiscard]] std::string silence(const Update& update) const;
@@ -112,6 +114,8 @@ class Station {
   std::map<std::uint64_t, RobotId> robot_of_instance_;
   std::optional<WorldModel> world_;
   HostTime world_heard_;
+  bus::ExplainedHint hint_;
+  HostTime hint_heard_;
   std::optional<bus::Truth> truth_;
   HostTime truth_heard_;
   std::map<std::string, bus::Diagnostics, std::less<>> processes_;

@@ -103,6 +103,7 @@ struct Update {
   std::vector<bus::Diagnostics> processes;  ///< newest of every process that is no agent, by name
   std::vector<bus::Counter> rejected;       ///< samples this station dropped, "Topic.reason"
   std::vector<bus::Thumbnail> thumbnails;   ///< since the update before
+  std::optional<bus::ExplainedHint> hint;   ///< the ball hint that counts; nothing: none does
   std::optional<WorldWithout> without;      ///< while asked for
   std::optional<RefereeReport> referee;
   std::optional<recording::RecorderReport> recorder;  ///< nothing: not recording

@@ -136,6 +136,7 @@ void to_proto(const Update& from, v1::MonitorUpdate& to) {
     to.mutable_without()->set_robot_id(from.without->robot);
     to_proto(from.without->world, *to.mutable_without()->mutable_world());
   }
+  if (from.hint) to_proto(*from.hint, *to.mutable_hint());
   if (from.referee) fill(*from.referee, *to.mutable_referee());
   if (from.recorder) fill(*from.recorder, *to.mutable_recorder());
   for (const ActionReport& action : from.actions) fill(action, *to.add_actions());

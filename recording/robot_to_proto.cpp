@@ -152,15 +152,18 @@ void to_proto(const WorldModel& from, v1::WorldModel& to) {
   for (const WorldObstacle& obstacle : from.obstacles) fill(obstacle, *to.add_obstacles());
 }
 
+void to_proto(const bus::ExplainedHint& from, v1::ExplainedHint& to) {
+  to.set_command_id(from.command);
+  to.set_track_id(from.track);
+  to.set_left_ms(to_ms(from.left));
+}
+
 void to_proto(const bus::Explanation& from, v1::Explanation& to) {
   set(from.id, *to.mutable_sample());
   to.set_stamp_ns(to_ns(from.stamp));
   for (const bus::ExplainedTrack& track : from.tracks) fill(track, *to.add_tracks());
   for (const bus::ExplainedRobot& robot : from.robots) set(robot, *to.add_robots());
-  if (from.hint.command == 0) return;
-  to.mutable_hint()->set_command_id(from.hint.command);
-  to.mutable_hint()->set_track_id(from.hint.track);
-  to.mutable_hint()->set_left_ms(to_ms(from.hint.left));
+  if (from.hint.command != 0) to_proto(from.hint, *to.mutable_hint());
 }
 
 void to_proto(const bus::LinePoints& from, v1::LinePoints& to) {

@@ -132,6 +132,29 @@ scenarios.relocates = async (page) => {
   say({ not_answered: await page.textContent(".action.no-answer") });
 };
 
+scenarios.hints = async (page) => {
+  await waitForMark(page, "LIVE");
+  const ball = await (await page.waitForSelector(".ball-mark.fresh .body", BOUND)).boundingBox();
+  await page.keyboard.press("h");
+  await page.waitForFunction(() => document.getElementById("hint").textContent.startsWith("Click where the ball is"), undefined, BOUND);
+  await page.keyboard.press("Escape");
+  expect((await page.textContent("#hint")) === "", "Escape did not put the tool away");
+  await page.click("#ball-hint");
+  await page.mouse.click(ball.x, ball.y);
+  await page.waitForSelector(".action.done", BOUND);
+  say({ done: await page.textContent(".action.done") });
+  await page.waitForSelector(".ball-mark.hinted", BOUND);
+  await page.waitForFunction(() => document.querySelector("#ball h2").textContent.includes("by hint"), undefined, BOUND);
+  await page.waitForFunction(() => document.getElementById("log").textContent.includes("The ball hint counts"), undefined, BOUND);
+  await page.screenshot({ path: join(folder, "page-hint.png") });
+  say({ ready: true });
+  await page.waitForFunction(() => document.getElementById("silence").textContent.includes("the leading fusion fell silent"), undefined, BOUND);
+  await page.click("#ball-hint");
+  await page.mouse.click(ball.x, ball.y);
+  await page.waitForSelector(".action.no-answer", BOUND);
+  say({ not_answered: await page.textContent(".action.no-answer") });
+};
+
 scenarios.scrubs = async (page) => {
   await waitForMark(page, "LIVE");
   await page.waitForSelector('.robot.fresh[data-robot="2"]', BOUND);

@@ -161,6 +161,17 @@ TEST_F(Page, RelocatesARobotByDragAndSaysWhatTheRobotsAnswer) {
   EXPECT_THAT(fakes_.at(1).out(), HasSubstr("\"theta_rad\": 1.571"));
 }
 
+TEST_F(Page, HintsAtTheBallByAClickWhichTheLeadingFusionAnswers) {
+  start_team();
+  ChildProcess browser = open("hints", "#token=" + token_);
+  ASSERT_TRUE(says(browser, "ready")) << browser.err();
+
+  fakes_.back().kill(SIGKILL);  // the fusion: nobody is left to answer
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+  EXPECT_THAT(browser.out(), HasSubstr("ball hint"));
+}
+
 TEST_F(Page, ScrubsBackThroughThePastWhileLive) {
   start_team();
 

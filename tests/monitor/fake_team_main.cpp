@@ -1,10 +1,12 @@
 // tests/monitor/fake_team_main.cpp: the process `teamsight-fake-team`: one robot, or one fusion, of
 // the fake team.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agent/picture.hpp"
@@ -118,7 +120,11 @@ void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId rob
 }
 
 void run_fusion(const bus::Participant& participant, bus::Loop& loop, RobotId host) {
+  constexpr Duration kHintLasts = std::chrono::seconds(8);
   ObservationId id{host, process::draw_boot_id(), 0};
+  bus::Reader<bus::Command> commands(participant);
+  std::uint32_t hint = 0;
+  HostTime hinted{};
   bus::Writer<WorldModel> worlds(participant, 30);
   bus::Writer<bus::Explanation> explanations(participant);
   Health health(participant, "fusion/" + std::to_string(host), id);
@@ -126,8 +132,19 @@ void run_fusion(const bus::Participant& participant, bus::Loop& loop, RobotId ho
     ++id.sequence;
     worlds.write(fake_world(id, bus::host_now()));
   });
-  loop.every(std::chrono::milliseconds(500),
-             [&]() { explanations.write(fake_explanation(id, bus::host_now())); });
+  loop.on_readable(commands.event_fd(), [&]() {
+    commands.take(bus::host_now(), [&](const bus::Sample<bus::Command>& sample) {
+      if (!sample.message || sample.message->kind != bus::CommandKind::kBallHint) return;
+      if (std::exchange(hint, sample.message->command) != hint) hinted = sample.received;
+    });
+  });
+  loop.every(std::chrono::milliseconds(500), [&]() {
+    const HostTime now = bus::host_now();
+    bus::Explanation explanation = fake_explanation(id, now);
+    const Duration left = std::max(Duration{0}, hinted + kHintLasts - now);
+    if (hint != 0) explanation.hint = {hint, fake_world(id, now).balls.at(0).track, left};
+    explanations.write(explanation);
+  });
   loop.every(std::chrono::seconds(1), [&]() { health.tell(); });
   loop.run();
 }

@@ -17,6 +17,7 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::SizeIs;
 
 const HostTime kStart{seconds(100)};
 
@@ -69,6 +70,13 @@ bus::Sample<bus::RobotState> presence_of(bus::Presence presence,
 
 auto event_with(const std::string& text) {
   return Contains(Field("text", &Event::text, HasSubstr(text)));
+}
+
+void hear_hint(Station& station, const bus::ExplainedHint& hint, HostTime at) {
+  bus::Explanation explanation;
+  explanation.id = {3, 1, 1};
+  explanation.hint = hint;
+  station.hear(sample_of(explanation, at, 1));
 }
 
 TEST(Station, ShowsVirtualSensorsWhileTheyCome) {
@@ -307,6 +315,35 @@ TEST(Station, DoesNotGrowWithoutBoundFromManyProcessNames) {
 
   EXPECT_LE(update.processes.size(), 64U);
   EXPECT_LE(update.events.size(), 256U);
+}
+
+TEST(Station, SaysWhichBallTheHintMeansAndWhenItIsOver) {
+  Station station{{}};
+  hear_hint(station, {7, 0, seconds(8)}, kStart);
+  EXPECT_THAT(station.update(kStart).events, IsEmpty()) << "no ball is seen there yet";
+
+  hear_hint(station, {7, 488, seconds(7)}, kStart + seconds(1));
+  const Update told = station.update(kStart + seconds(2));
+  hear_hint(station, {7, 488, Duration{0}}, kStart + seconds(8));
+  const Update after = station.update(kStart + seconds(9));
+
+  ASSERT_THAT(told.events, SizeIs(1));
+  EXPECT_THAT(told.events[0].text, HasSubstr("hint counts"));
+  EXPECT_EQ(told.hint, (bus::ExplainedHint{7, 488, seconds(6)}));
+  ASSERT_THAT(after.events, SizeIs(1));
+  EXPECT_EQ(after.events[0].text, "The ball hint is over");
+  EXPECT_EQ(after.hint, std::nullopt);
+}
+
+TEST(Station, SaysThatAHintFoundNoBall) {
+  Station station{{}};
+  hear_hint(station, {7, 0, seconds(8)}, kStart);
+  hear_hint(station, {7, 0, Duration{0}}, kStart + seconds(8));
+
+  const Update update = station.update(kStart + seconds(8));
+
+  ASSERT_THAT(update.events, SizeIs(1));
+  EXPECT_THAT(update.events[0].text, HasSubstr("no robot sees a ball there"));
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ export class FieldView {
     this.drawObstacles(scene.obstacles);
     this.drawLinks(scene);
     this.drawRobots(scene.robots);
-    this.drawBalls(scene.balls);
+    this.drawBalls(scene.balls, update.hint?.trackId ?? 0);
     this.without.draw(update, this.view, this.unitsPerPixel);
   }
 
@@ -215,12 +215,13 @@ export class FieldView {
     this.robots.keepOnly(new Set(marks.map((mark) => String(mark.id))));
   }
 
-  private drawBalls(marks: BallMark[]): void {
+  /** @param hinted  the one that the operator means; 0: none */
+  private drawBalls(marks: BallMark[], hinted: number): void {
     const size = Math.max(BALL_M * UNITS, BALL_PX * this.unitsPerPixel);
     marks.forEach((mark, index) => {
       const symbol = this.balls.get(String(mark.id));
       this.place(symbol, mark.x, mark.y, mark.ellipse, { x: mark.vx, y: mark.vy });
-      set(symbol.root, { class: `ball-mark ${mark.freshness}${index > 0 ? " second" : ""}`, opacity: 0.35 + 0.65 * mark.existence });
+      set(symbol.root, { class: `ball-mark ${mark.freshness}${index > 0 ? " second" : ""}${mark.id === hinted ? " hinted" : ""}`, opacity: 0.35 + 0.65 * mark.existence });
       // A ball in the air is nearer to whoever looks from above.
       set(symbol.body, { r: size * (1 + Math.min(Math.max(mark.z - BALL_M, 0), 3) * 0.4) });
     });

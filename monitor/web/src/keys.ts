@@ -8,6 +8,7 @@ export interface Commands {
   bookmark(): void;
   showTab(name: string): void;
   relocate(): void;
+  hint(): void;
   giveUp(): void;
   choose(step: number): void;
   player(): Player;
@@ -31,6 +32,7 @@ export function pressed(key: string, to: Commands, nowMs: number): boolean {
     d: () => to.toggleTheme(),
     b: () => to.bookmark(),
     r: () => to.relocate(),
+    h: () => to.hint(),
     l: () => player.goLive(),
     " ": () => player.toggle(nowMs),
     ",": () => player.step(-1, nowMs),

@@ -7,6 +7,7 @@ import "./style/side.css";
 import "./style/table.css";
 import { fromBinary } from "@bufbuild/protobuf";
 import { type MonitorUpdate, MonitorUpdateSchema } from "./generated/monitor_pb";
+import { BallHint } from "./ball_hint";
 import { connect, liveAddress } from "./connection";
 import { byId, set, write } from "./dom";
 import { FieldView } from "./field_view";
@@ -43,7 +44,8 @@ let player = new Player(history, false);
 
 const orders = new Orders(byId("actions"), (bytes) => send(bytes), takeToken(location, window.history, sessionStorage));
 const relocate = new Relocate(field, orders);
-const robotCard = new RobotCard(byId("robot"), orders, (robot) => relocate.start(robot));
+const ballHint = new BallHint(field, orders);
+const robotCard = new RobotCard(byId("robot"), orders, startRelocating);
 const table = new TableView(byId("robots"), (robot) => {
   robotCard.select(robot);
   showTab("robot");
@@ -89,7 +91,7 @@ function draw(): void {
   const scene = sceneOf(update, since);
   field.draw(scene, update, raw === "chosen" ? robotCard.robot : raw);
   table.draw(update, since, robotCard.robot);
-  ball.draw(scene);
+  ball.draw(scene, update.hint);
   processes.draw(update);
   drawLead(update, since);
   drawGame(update);
@@ -132,6 +134,21 @@ function toggleTheme(): void {
   setTheme(document.documentElement.dataset["theme"] === "light" ? "dark" : "light");
 }
 
+function startRelocating(robot: number): void {
+  ballHint.stop();
+  relocate.start(robot);
+}
+
+function startHinting(): void {
+  relocate.stop();
+  ballHint.start();
+}
+
+function putToolsAway(): void {
+  relocate.stop();
+  ballHint.stop();
+}
+
 function bookmark(): void {
   orders.give({ case: "bookmark", value: { text: "" } });
 }
@@ -142,8 +159,9 @@ const commands: Commands = {
   toggleTheme,
   bookmark,
   showTab,
-  relocate: () => relocate.start(robotCard.robot),
-  giveUp: () => relocate.stop(),
+  relocate: () => startRelocating(robotCard.robot),
+  hint: startHinting,
+  giveUp: putToolsAway,
   choose: (step) => robotCard.select(Math.min(Math.max(robotCard.robot + step, 1), 16)),
   player: () => player,
   changed: planDrawing,
@@ -151,6 +169,7 @@ const commands: Commands = {
 bindKeys(commands);
 byId("flip").addEventListener("click", flip);
 byId("raw").addEventListener("click", cycleRaw);
+byId("ball-hint").addEventListener("click", startHinting);
 byId("theme").addEventListener("click", toggleTheme);
 byId("tabs").addEventListener("click", (event) => {
   const button = (event.target as Element).closest("button");

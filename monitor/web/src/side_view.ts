@@ -1,5 +1,6 @@
 // monitor/web/src/side_view.ts: beside the field: the ball in numbers, processes, events, who leads.
 import type { MonitorEvent, MonitorUpdate } from "./generated/monitor_pb";
+import type { ExplainedHint } from "./generated/recording_pb";
 import { byId, html, set, write } from "./dom";
 import * as format from "./format";
 import type { BallMark, Scene } from "./scene";
@@ -11,6 +12,13 @@ function figure(parent: Element, name: string): HTMLElement {
   const box = html("div", "figure", parent);
   html("span", "figure-name", box, name);
   return html("span", "figure-value", box, format.UNKNOWN);
+}
+
+/** What the operator's hint does, after the title. */
+export function hintText(hint: ExplainedHint | undefined): string {
+  if (!hint) return "";
+  const left = `${Math.ceil(hint.leftMs / 1000)} s`;
+  return hint.trackId ? ` · by hint, ${left}` : ` · hint: none is seen there, ${left}`;
 }
 
 /** The ball in numbers: always the same boxes, with dashes where nothing is known. */
@@ -39,10 +47,10 @@ export class BallCard {
     this.againstBy = html("span", "chips against", seen);
   }
 
-  draw(scene: Scene): void {
+  draw(scene: Scene, hint: ExplainedHint | undefined): void {
     const ball = scene.balls[0];
     set(this.root, { "data-freshness": ball?.freshness ?? "lost" });
-    write(this.title, scene.balls.length > 1 ? `Ball (and ${scene.balls.length - 1} more)` : "Ball");
+    write(this.title, (scene.balls.length > 1 ? `Ball (and ${scene.balls.length - 1} more)` : "Ball") + hintText(hint));
     write(this.values.speed, ball ? `${ball.speed.toFixed(1)} m/s` : format.UNKNOWN);
     write(this.values.height, ball ? format.metres(ball.z) : format.UNKNOWN);
     write(this.values.age, ball ? format.age(ball.ageMs) : format.UNKNOWN);
