@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 
+#include "vision/pixel_reader.hpp"
+
 namespace teamsight::agent {
 namespace {
 
@@ -69,6 +71,55 @@ TEST(PictureOf, ShowsAFramesColoursAtHalfItsSize) {
   EXPECT_NEAR(right.b, 220, 12);
   EXPECT_NEAR(right.r, 10, 12);
 }
+
+/// The same picture in a format with one chroma for a pair of pixels, or for four.
+std::vector<std::uint8_t> in_format(PixelFormat format,
+                                    const std::vector<std::uint8_t>& bgr,
+                                    std::uint32_t width) {
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> chroma_plane;
+  for (std::size_t i = 0; i + 5 < bgr.size(); i += 6) {
+    const vision::Chroma chroma = vision::chroma_of_bgr(bgr[i], bgr[i + 1], bgr[i + 2]);
+    const std::uint8_t y = vision::luminance_of_bgr(bgr[i], bgr[i + 1], bgr[i + 2]);
+    const std::uint8_t z = vision::luminance_of_bgr(bgr[i + 3], bgr[i + 4], bgr[i + 5]);
+    const bool is_even_row = i / 3 / width % 2 == 0;
+    if (format == PixelFormat::kYuyv) bytes.insert(bytes.end(), {y, chroma.u, z, chroma.v});
+    if (format == PixelFormat::kUyvy) bytes.insert(bytes.end(), {chroma.u, y, chroma.v, z});
+    if (format == PixelFormat::kNv12) bytes.insert(bytes.end(), {y, z});
+    if (is_even_row) chroma_plane.insert(chroma_plane.end(), {chroma.u, chroma.v});
+  }
+  if (format == PixelFormat::kNv12) {
+    bytes.insert(bytes.end(), chroma_plane.begin(), chroma_plane.end());
+  }
+  return bytes;
+}
+
+class PictureIn : public ::testing::TestWithParam<PixelFormat> {};
+
+TEST_P(PictureIn, ShowsTheSameColoursAsBgr) {
+  const std::vector<std::uint8_t> bgr = two_colours(640, 480);
+  const std::vector<std::uint8_t> bytes = in_format(GetParam(), bgr, 640);
+
+  const auto picture = picture_of({bytes, 640, 480, GetParam()});
+  const auto expected = picture_of({bgr, 640, 480, PixelFormat::kBgr});
+
+  ASSERT_TRUE(picture && expected);
+  EXPECT_EQ(picture->width_px, 320);
+  EXPECT_EQ(picture->height_px, 240);
+  for (const double across : {0.02, 0.25, 0.48, 0.52, 0.75, 0.98}) {
+    const Bgr got = pixel_of(*picture, across, 0.9);
+    const Bgr wanted = pixel_of(*expected, across, 0.9);
+    EXPECT_NEAR(got.b, wanted.b, 3) << across;
+    EXPECT_NEAR(got.g, wanted.g, 3) << across;
+    EXPECT_NEAR(got.r, wanted.r, 3) << across;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(CameraFormats,
+                         PictureIn,
+                         ::testing::Values(PixelFormat::kYuyv,
+                                           PixelFormat::kUyvy,
+                                           PixelFormat::kNv12));
 
 TEST(PictureOf, TakesTheCamerasOwnFormatsAndOddSizes) {
   const std::vector<std::uint8_t> yuyv(std::size_t{2} * 322 * 7, 128);

@@ -104,10 +104,15 @@ const scenarios = {
     await waitForMark(page, "LIVE");
   },
 
+  /** The test starts a process of another version at "nothing_heard". */
   async explains(page) {
     await waitForMark(page, "NO DATA");
     await page.waitForFunction(() => document.getElementById("silence").textContent.includes("Nothing heard yet"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-nothing-heard.png") });
+    say({ nothing_heard: true });
+    await page.waitForFunction(() => document.getElementById("silence").textContent.includes("somebody speaks v9 of the topics, which this station does not hear"), undefined, BOUND);
+    await page.waitForFunction(() => document.getElementById("log").textContent.includes("Somebody here speaks v9"), undefined, BOUND);
+    await page.screenshot({ path: join(folder, "page-other-version.png") });
   },
 };
 

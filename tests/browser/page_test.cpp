@@ -224,6 +224,13 @@ TEST_F(Page, LooksCloserAndTakesRefereeCommandsByHand) {
 
 TEST_F(Page, SaysWhyNothingShows) {
   ChildProcess browser = open("explains");
+  ASSERT_TRUE(says(browser, "nothing_heard")) << browser.err();
+
+  fakes_.emplace_back(std::vector<std::string>{BUS_TEST_CHILD,
+                                               "other version",
+                                               test::source_path("config/dds/loopback.xml"),
+                                               std::to_string(test::unique_domain()),
+                                               "demo"});
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
 }

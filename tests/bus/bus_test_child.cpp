@@ -9,9 +9,11 @@
 #include <tuple>
 
 #include <dds/dds.h>
+#include <teamsight.h>
 #include <unistd.h>
 
 #include "bus/clock.hpp"
+#include "bus/entity.hpp"
 #include "bus/loop.hpp"
 #include "bus/reader.hpp"
 #include "bus/writer.hpp"
@@ -175,6 +177,19 @@ void wait_in_library(const Job& job) {
   dds_delete(waitset);
 }
 
+// A process of a later version, as far as DDS tells others of it: its topics have other names.
+void speak_other_version(const Job& job) {
+  const Participant participant = Participant::join(job.domain);
+  const Entity topic(dds_create_topic(participant.handle(),
+                                      &teamsight_v1_RobotState_desc,
+                                      "teamsight/v9/RobotState",
+                                      nullptr,
+                                      nullptr));
+  const Entity writer(dds_create_writer(participant.handle(), topic.handle(), nullptr, nullptr));
+  if (writer.handle() < 0) throw BusError("no writer");
+  Loop().run();
+}
+
 void run(const Job& job) {
   if (job.what == "states") return write_states(job);
   if (job.what == "worlds") return write_worlds(job);
@@ -198,6 +213,7 @@ void run(const Job& job) {
   }
   if (job.what == "commands") return read_commands(job);
   if (job.what == "patient") return join_patiently(job);
+  if (job.what == "other version") return speak_other_version(job);
   if (job.what == "wait") return wait_in_library(job);
   std::fprintf(stderr, "unknown job %s\n", job.what.c_str());
   std::exit(2);
