@@ -33,12 +33,28 @@ async function checkLayout(page) {
       if (box.width < 50 || box.height < 20) found.push(`${selector} has no size`);
       if (box.right > innerWidth + 1 || box.bottom > innerHeight + 1) found.push(`${selector} sticks out`);
     }
-    for (const cell of document.querySelectorAll("tbody td, th")) {
+    for (const cell of document.querySelectorAll("tbody td, th, .lamp, .lead b, .lead small, .brand-team, #game")) {
       if (cell.scrollWidth > cell.clientWidth + 1) found.push(`"${cell.textContent}" does not fit`);
     }
     return found;
   });
   expect(faults.length === 0, faults.join("; "));
+}
+
+/** Where the parts of the page lie; these may not move, whatever is in them. */
+const placesOf = (page) =>
+  page.evaluate(() => {
+    const parts = [".brand", "#score", ".game-words", "#box", "#air", "#security", "#recorder", ".lead", ".mark", ".field", ".tabs", "#ball .figures", "#timeline", "#scrub", "#robots", "th:nth-child(6)", "th:last-child"];
+    return parts.map((part) => {
+      const { x, y, width, height } = document.querySelector(part).getBoundingClientRect();
+      return `${part} at ${[x, y, width, height].map(Math.round).join(" ")}`;
+    });
+  });
+
+async function expectNoJump(page, before, when) {
+  const after = await placesOf(page);
+  const moved = before.filter((place, i) => place !== after[i]).map((place) => `${place}, then ${after.find((other) => other.startsWith(place.split(" at ")[0] + " at "))}`);
+  expect(moved.length === 0, `${when}: ${moved.join("; ")}`);
 }
 
 const scenarios = {
@@ -96,8 +112,11 @@ const scenarios = {
   /** The test ends the station at "live" and starts it again at "gone". */
   async reconnects(page) {
     await waitForMark(page, "LIVE");
+    await page.waitForFunction(() => document.getElementById("air").textContent !== "air –", undefined, BOUND);
+    const places = await placesOf(page);
     say({ live: true });
     await waitForMark(page, "NO DATA");
+    await expectNoJump(page, places, "when the station falls silent");
     await page.waitForFunction(() => document.getElementById("silence").textContent.includes("does not answer"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-no-station.png") });
     say({ gone: true });
@@ -135,6 +154,14 @@ scenarios.relocates = async (page) => {
   await page.waitForSelector(".action.no-answer", BOUND);
   await page.screenshot({ path: join(folder, "page-orders.png") });
   say({ not_answered: await page.textContent(".action.no-answer") });
+  await page.keyboard.press("1");
+  const places = await placesOf(page);
+  await page.keyboard.press("4");
+  await page.click('.theirs[data-command="FREEKICK"]');
+  await page.click('.ours[data-command="GOAL"]');
+  await page.waitForFunction(() => document.getElementById("score").textContent === "1 : 0", undefined, BOUND);
+  await page.keyboard.press("1");
+  await expectNoJump(page, places, "when the referee speaks");
 };
 
 scenarios.hints = async (page) => {

@@ -73,9 +73,9 @@ export function drawGame(update: MonitorUpdate): void {
   const megabits = (bits ?? 0) / 1e6;
   const thrift = thriftText(update);
   const airText = bits === undefined ? "air –" : `air ${megabits.toFixed(2)}`;
-  lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 || thrift ? "warn" : "good", thrift ? `${airText} · ${thrift}` : airText, "What the team sends, Mbit/s with headers; the league's limit is 2.2. Behind it: what is left out to keep within it");
+  lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 || thrift ? "warn" : "good", thrift ? `${airText} ↓` : airText, `What the team sends, Mbit/s with headers; the league's limit is 2.2. Left out to keep within it: ${thrift || "nothing"}`);
   const secured = isSecured(update);
-  lamp("security", secured ? "good" : "off", secured === undefined ? "security –" : secured ? "secured" : "security is off", secured ? "Only who has the team's keys can speak or listen" : "Anybody on this network can speak for a robot; teamsight keys makes the team's keys");
+  lamp("security", secured ? "good" : "off", secured === undefined ? "security –" : secured ? "secured" : "security off", secured ? "Only who has the team's keys can speak or listen" : "Anybody on this network can speak for a robot; teamsight keys makes the team's keys");
   const recorder = update.recorder;
   lamp("recorder", !recorder ? "off" : recorder.problem || recorder.dropped > 0n ? "bad" : "good", recorderText(recorder), recorder?.problem || recorder?.file || "Start the station with --record to record");
 }

@@ -159,5 +159,6 @@ export function drawLead(update: MonitorUpdate, sinceUpdateMs: number): void {
   const world = update.world;
   const ageMs = update.worldAgeMs + sinceUpdateMs;
   set(root, { "data-freshness": world ? format.freshness(ageMs) : "lost" });
-  write(root, world ? `Fusion ${world.sample?.robotId ?? 0} leads · ${format.age(Math.round(ageMs / 10) * 10)}` : "No fusion leads");
+  write(byId("leader"), world ? `Fusion ${world.sample?.robotId ?? 0} leads` : "No fusion leads");
+  write(byId("lead-age"), world ? `${format.age(Math.round(ageMs / 10) * 10)} ago` : format.UNKNOWN);
 }
