@@ -9,6 +9,7 @@
 #include "agent/identity_guard.hpp"
 #include "agent/picture.hpp"
 #include "bus/clock.hpp"
+#include "process/temperature.hpp"
 
 namespace teamsight::agent {
 namespace {
@@ -214,6 +215,7 @@ void Agent::write_state(HostTime now) {
   state.sees_ball = sees_ball_ && !state.camera_lost;
   state.frame_rate = frame_period_ > 0.0 && !state.camera_lost ? 1.0 / frame_period_ : 0.0;
   state.cpu_load = cpu_load_;
+  state.cpu_temperature = cpu_temperature_;
   state.software_version = identity_.software_version;
   bus_->states.write(state);
   state_written_ = now;
@@ -299,6 +301,7 @@ void Agent::diagnose() {
   meter_.set("bus.rejoined", hearing_.times());
   bus::Diagnostics report = meter_.report(now);
   cpu_load_ = report.cpu_load;
+  cpu_temperature_ = process::hottest_zone().value_or(0.0);
   report.message = complaint(source, now).substr(0, 95);
   report.healthy = report.message.empty();
   report.frame_age_ms = exposure_ == HostTime{} ? -1.0 : 1e3 * to_seconds(now - exposure_);

@@ -109,7 +109,8 @@ class Agent {
   std::uint64_t carpet_luminance_{0};             // the same; grey levels, 0: no carpet seen
   double frame_period_{0.0};                      // s, smoothed; 0: not known
   double cpu_load_{0.0};
-  std::string reject_;  // why the newest frame said nothing; empty if it did
+  double cpu_temperature_{0.0};  // degrees Celsius; 0 = not measured
+  std::string reject_;           // why the newest frame said nothing; empty if it did
 
   std::uint32_t state_count_{0};
   std::uint32_t sightings_count_{0};

@@ -98,15 +98,16 @@ void Station::note_arrival(RobotId robot, Watch& watch, HostTime now) {
   watch.is_reported_silent = false;
 }
 
-void Station::note_camera(RobotId robot,
-                          const Watch& watch,
-                          const bus::RobotState& state,
-                          HostTime now) {
-  const bool lost_before = watch.state && watch.state->camera_lost;
-  if (state.camera_lost == lost_before) return;
-  note(now,
-       state.camera_lost ? Level::kAlarm : Level::kInfo,
-       robot_name(robot) + (state.camera_lost ? ": its camera is lost" : ": its camera is back"));
+void Station::note_camera(RobotId robot, Watch& watch, bool is_lost, HostTime now) {
+  if (!is_lost) {
+    watch.camera_lost_since.reset();
+    if (!std::exchange(watch.is_camera_reported, false)) return;
+    return note(now, Level::kInfo, robot_name(robot) + ": its camera is back");
+  }
+  if (!watch.camera_lost_since) watch.camera_lost_since = now;
+  if (now - *watch.camera_lost_since < parameters_.silent_after) return;
+  if (std::exchange(watch.is_camera_reported, true)) return;
+  note(now, Level::kAlarm, robot_name(robot) + ": its camera is lost");
 }
 
 void Station::note_versions(const std::set<std::string>& others, HostTime now) {
@@ -145,7 +146,7 @@ void Station::hear(const bus::Sample<bus::RobotState>& sample) {
   Watch& watch = watch_of(robot);
   note_boot(robot, watch, state.id.boot, sample.received);
   note_arrival(robot, watch, sample.received);
-  note_camera(robot, watch, state, sample.received);
+  note_camera(robot, watch, state.camera_lost, sample.received);
   note_version(robot, watch, state, sample.received);
   watch.alive = sample.presence == bus::Presence::kAlive;
   watch.heard = sample.received;

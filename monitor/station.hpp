@@ -21,8 +21,8 @@ namespace teamsight::monitor {
 
 struct StationParameters {
   Duration window{std::chrono::seconds(5)};  ///< rate, loss and latency are over this long
-  /// A robot that says nothing for so long is reported silent. Longer than a lease, so that a busy
-  /// computer's hiccup shows in the table but does not fill the log.
+  /// A robot that says nothing for so long is reported silent, its camera lost. Longer than a
+  /// lease, so that a busy computer's hiccup shows in the table but does not fill the log.
   Duration silent_after{std::chrono::milliseconds(600)};
   Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
   Duration duplicate_for{std::chrono::seconds(2)};     ///< how long a shared robot id is remembered
@@ -80,6 +80,8 @@ class Station {
     bool alive{false};
     bool was_heard{false};
     bool is_reported_silent{false};
+    bool is_camera_reported{false};  ///< as lost
+    std::optional<HostTime> camera_lost_since;
     HostTime heard;
     HostTime shared_id_seen;
     std::uint32_t boot{0};
@@ -100,7 +102,7 @@ class Station {
   void note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now);
   void note_silence(RobotId robot, Watch& watch, HostTime now);
   void note_arrival(RobotId robot, Watch& watch, HostTime now);
-  void note_camera(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
+  void note_camera(RobotId robot, Watch& watch, bool is_lost, HostTime now);
   void note_version(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   [[nodiscard]] bool is_other_version(const bus::RobotState& state) const;
   void note_hint(const bus::ExplainedHint& hint, HostTime now);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <google/protobuf/stubs/strutil.h>
 #include <nlohmann/json.hpp>
 
 namespace teamsight::monitor {
@@ -16,21 +17,8 @@ using nlohmann::json;
 constexpr std::array<std::string_view, 2> kProtocols{"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t byte = i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0;
-      group = group << 8U | byte;
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool is_padding = i + k > bytes.size();
-      text += is_padding ? '=' : kLetters[group >> (18U - 6U * k) & 63U];
-    }
-  }
+  google::protobuf::Base64Escape({bytes.data(), bytes.size()}, &text);
   return text;
 }
 

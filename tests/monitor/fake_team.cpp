@@ -147,6 +147,7 @@ bus::RobotState fake_state(const ObservationId& id, HostTime exposure) {
   state.frame_rate = 25.0;
   state.battery = 24.6;
   state.cpu_load = 0.18 + 0.02 * id.robot;
+  state.cpu_temperature = 58.0 + id.robot;
   state.software_version = "0.1.0";
   return state;
 }

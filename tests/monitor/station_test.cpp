@@ -232,19 +232,27 @@ TEST(Station, KnowsARestartFromTwoProcessesUnderOneId) {
   EXPECT_FALSE(later.robots.at(0).duplicate);
 }
 
-TEST(Station, TellsThatACameraIsLostAndBack) {
+TEST(Station, TellsThatACameraIsLostAndBackButNotOfAHiccup) {
   Station station({});
-  bus::RobotState state;
-  state.id = {3, 1, 1};
-  state.camera_lost = true;
-  station.hear(sample_of(state, kStart, 3));
-  const Update lost = station.update(kStart);
-  state.camera_lost = false;
-  station.hear(sample_of(state, kStart + milliseconds(40), 3));
-  const Update back = station.update(kStart + milliseconds(40));
+  const auto hear = [&](bool is_lost, milliseconds after) {
+    bus::RobotState state;
+    state.id = {3, 1, 1};
+    state.camera_lost = is_lost;
+    station.hear(sample_of(state, kStart + after, 3));
+    return station.update(kStart + after).events;
+  };
+  hear(true, milliseconds(0));
+  EXPECT_THAT(hear(true, milliseconds(500)), IsEmpty());
+  EXPECT_THAT(hear(false, milliseconds(550)), IsEmpty());
 
-  EXPECT_THAT(lost.events, event_with("Robot 3: its camera is lost"));
-  EXPECT_THAT(back.events, event_with("Robot 3: its camera is back"));
+  hear(true, milliseconds(600));
+  const auto lost = hear(true, milliseconds(1300));
+  const auto still = hear(true, milliseconds(1400));
+  const auto back = hear(false, milliseconds(1500));
+
+  EXPECT_THAT(lost, event_with("Robot 3: its camera is lost"));
+  EXPECT_THAT(still, IsEmpty());
+  EXPECT_THAT(back, event_with("Robot 3: its camera is back"));
 }
 
 TEST(Station, TellsWhichFusionLeadsAndWhoTookOver) {

@@ -82,23 +82,32 @@ export function rejectedCell(row: RobotRow): Cell {
 }
 
 const COLUMNS: Column[] = [
-  { head: "Robot", width: 5, cell: (row) => cell(String(row.robotId)) },
+  { head: "Robot", width: 4.6, cell: (row) => cell(String(row.robotId)) },
   { head: "Heard", width: 8, cell: (row, _mate, since) => linkCell(row, since) },
   { head: "Rate", width: 5.5, numeric: true, cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },
   { head: "Loss", width: 5, numeric: true, cell: (row) => (row.received > 0n ? cell(format.percent(row.loss), row.loss > 0.1 ? "bad" : row.loss > 0.02 ? "warn" : "") : DASH) },
   { head: "Latency", width: 10.2, numeric: true, cell: latencyCell },
-  { head: "Posture", width: 15, cell: (row) => postureCell(row) },
+  { head: "Posture", width: 15.4, cell: (row) => postureCell(row) },
   { head: "Half", width: 5.5, numeric: true, cell: (row) => halfCell(row) },
   { head: "Ball", width: 6, cell: ballCell },
   { head: "Camera", width: 6, numeric: true, cell: (row) => cameraCell(row) },
   { head: "Trust", width: 8, cell: (row, mate) => trustCell(row, mate) },
   { head: "Not used", width: 9.6, cell: (row) => rejectedCell(row) },
-  { head: "Clock", width: 7, numeric: true, cell: (row) => clockCell(row) },
+  { head: "Clock", width: 6.8, numeric: true, cell: (row) => clockCell(row) },
   { head: "Battery", width: 6.2, numeric: true, cell: (row) => (row.state?.batteryV ? cell(`${row.state.batteryV.toFixed(1)} V`) : DASH) },
-  { head: "Drift", width: 5.8, numeric: true, cell: (row) => (row.state?.calibrationDriftPx ? cell(`${row.state.calibrationDriftPx.toFixed(1)} px`) : DASH) },
-  { head: "Load", width: 5.5, numeric: true, cell: (row) => (row.state ? cell(format.percent(row.state.cpuLoad), row.state.cpuLoad > 0.9 ? "warn" : "", row.state.cpuTemperatureDegc ? `${row.state.cpuTemperatureDegc.toFixed(0)} °C` : "temperature not measured") : DASH) },
-  { head: "Version", width: 6, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, row.otherVersion ? "warn" : "dim", row.otherVersion ? "Not the station's version" : "") : DASH) },
+  { head: "Drift", width: 5.6, numeric: true, cell: (row) => (row.state?.calibrationDriftPx ? cell(`${row.state.calibrationDriftPx.toFixed(1)} px`) : DASH) },
+  { head: "Load", width: 7.6, numeric: true, cell: (row) => loadCell(row) },
+  { head: "Version", width: 5.8, cell: (row) => (row.state ? cell(row.state.softwareVersion || format.UNKNOWN, row.otherVersion ? "warn" : "dim", row.otherVersion ? "Not the station's version" : "") : DASH) },
 ];
+
+/** The computer's load and, where it measures that, its temperature. */
+export function loadCell(row: RobotRow): Cell {
+  if (!row.state) return DASH;
+  const load = format.percent(row.state.cpuLoad);
+  const degrees = row.state.cpuTemperatureDegc;
+  const tone = degrees > 90 ? "bad" : row.state.cpuLoad > 0.9 || degrees > 80 ? "warn" : "";
+  return degrees ? cell(`${load} ${degrees.toFixed(0)}°`, tone, "Share of a core; hottest part of the computer, °C") : cell(load, tone, "Temperature not measured");
+}
 
 function latencyCell(row: RobotRow): Cell {
   if (row.latencyP50Ms < 0) return cell(format.UNKNOWN, "dim", "Its clock cannot be compared with the station's");

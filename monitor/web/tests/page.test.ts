@@ -12,7 +12,7 @@ import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
 import { bitRate, commandText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
-import { cameraCell, halfCell, linkCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
+import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
 import { View } from "../src/view";
 import { withoutText } from "../src/without_layer";
 
@@ -108,6 +108,12 @@ describe("a row of the table", () => {
     expect(linkCell(row({}), 300).tone).toBe("warn");
     expect(linkCell(row({ alive: false, ageMs: 4000 }), 0)).toEqual({ text: "lost 4.0 s", tone: "bad" });
     expect(linkCell(row({ duplicate: true }), 0).text).toBe("id used twice");
+  });
+
+  it("shows load and temperature, and warns of heat", () => {
+    expect(loadCell(row({ state: { cpuLoad: 0.2, cpuTemperatureDegc: 61.4 } })).text).toBe("20 % 61°");
+    expect(loadCell(row({ state: { cpuLoad: 0.2, cpuTemperatureDegc: 95 } })).tone).toBe("bad");
+    expect(loadCell(row({ state: { cpuLoad: 0.2 } })).text).toBe("20 %");
   });
 
   it("shows the posture with the wider of its sigmas", () => {
