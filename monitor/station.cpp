@@ -218,14 +218,14 @@ void Station::note_hint(const bus::ExplainedHint& hint, HostTime now) {
   const bool is_new = hint.command != hint_.command;
   const bool counts = hint.left > Duration{0};
   const bool counted = !is_new && hint_.left > Duration{0};
-  if (counts && hint.track != 0 && (is_new || hint_.track != hint.track)) {
+  if (counts && hint.track != 0 && std::exchange(hint_told_, hint.command) != hint.command) {
     note(now, Level::kInfo, "The ball hint counts: the ball there comes first");
   }
   if (!counts && counted) {
     note(now,
          Level::kInfo,
-         hint_.track == 0 ? "The ball hint is over: no robot sees a ball there"
-                          : "The ball hint is over");
+         hint_told_ == hint.command ? "The ball hint is over"
+                                    : "The ball hint is over: no robot saw a ball there");
   }
   hint_ = hint;
   hint_heard_ = now;

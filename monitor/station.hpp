@@ -117,6 +117,7 @@ class Station {
   std::optional<WorldModel> world_;
   HostTime world_heard_;
   bus::ExplainedHint hint_;
+  std::uint32_t hint_told_{0};  ///< the command of which it was said that it counts
   HostTime hint_heard_;
   std::optional<bus::Truth> truth_;
   HostTime truth_heard_;

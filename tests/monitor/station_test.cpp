@@ -351,7 +351,7 @@ TEST(Station, SaysThatAHintFoundNoBall) {
   const Update update = station.update(kStart + seconds(8));
 
   ASSERT_THAT(update.events, SizeIs(1));
-  EXPECT_THAT(update.events[0].text, HasSubstr("no robot sees a ball there"));
+  EXPECT_THAT(update.events[0].text, HasSubstr("no robot saw a ball there"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ function figure(parent: Element, name: string): HTMLElement {
 export function hintText(hint: ExplainedHint | undefined): string {
   if (!hint) return "";
   const left = `${Math.ceil(hint.leftMs / 1000)} s`;
-  return hint.trackId ? ` · by hint, ${left}` : ` · hint: none is seen there, ${left}`;
+  return hint.trackId ? ` · by hint, ${left}` : ` · hint: no ball there yet, ${left}`;
 }
 
 /** The ball in numbers: always the same boxes, with dashes where nothing is known. */
