@@ -200,6 +200,7 @@ void Agent::write_state(HostTime now) {
   bus::RobotState state;
   state.id = {identity_.robot, identity_.boot, ++state_count_};
   state.camera_lost = is_camera_lost(now);
+  state.muted = muted_;
   // The posture was true at its exposure; without any frame the present stands for "unknown now".
   state.exposure = stamp_of(exposure_ == HostTime{} ? now : exposure_);
   state.published = stamp_of(now);

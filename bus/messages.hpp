@@ -31,6 +31,7 @@ struct RobotState {
   bool sees_ball{false};
   bool has_ball{false};
   bool camera_lost{false};        ///< no frame for longer than three frame times
+  bool muted{false};              ///< says nothing of what it sees, by the operator's command
   double frame_rate{0.0};         ///< Hz
   double battery{0.0};            ///< V; 0 = not measured
   double cpu_load{0.0};           ///< of one core, this process

@@ -21,6 +21,7 @@ std::optional<Reject> broken_rule(const teamsight_v1_RobotState& wire) {
   check.flag(wire.sees_ball);
   check.flag(wire.has_ball);
   check.flag(wire.camera_lost);
+  check.flag(wire.muted);
   check.between(wire.frame_rate_hz, 0.0, 1000.0);
   check.between(wire.battery_v, 0.0, 1000.0);
   check.between(wire.cpu_load, 0.0, 1000.0);
@@ -100,6 +101,7 @@ std::optional<Reject> to_wire(const RobotState& message, WireSample<RobotState>&
   wire.sees_ball = octet(message.sees_ball);
   wire.has_ball = octet(message.has_ball);
   wire.camera_lost = octet(message.camera_lost);
+  wire.muted = octet(message.muted);
   wire.frame_rate_hz = single(message.frame_rate);
   wire.battery_v = single(message.battery);
   wire.cpu_load = single(message.cpu_load);
@@ -125,6 +127,7 @@ Result<RobotState, Reject> from_wire<RobotState>(const teamsight_v1_RobotState& 
   message.sees_ball = wire.sees_ball != 0;
   message.has_ball = wire.has_ball != 0;
   message.camera_lost = wire.camera_lost != 0;
+  message.muted = wire.muted != 0;
   message.frame_rate = static_cast<double>(wire.frame_rate_hz);
   message.battery = static_cast<double>(wire.battery_v);
   message.cpu_load = static_cast<double>(wire.cpu_load);

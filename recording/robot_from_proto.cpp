@@ -89,6 +89,7 @@ bus::RobotState value(const v1::RobotState& from, Decoding& decoding) {
   to.sees_ball = from.sees_ball();
   to.has_ball = from.has_ball();
   to.camera_lost = from.camera_lost();
+  to.muted = from.muted();
   to.frame_rate = from.frame_rate_hz();
   to.battery = from.battery_v();
   to.cpu_load = from.cpu_load();

@@ -96,6 +96,7 @@ void to_proto(const bus::RobotState& from, v1::RobotState& to) {
   to.set_sees_ball(from.sees_ball);
   to.set_has_ball(from.has_ball);
   to.set_camera_lost(from.camera_lost);
+  to.set_muted(from.muted);
   to.set_frame_rate_hz(from.frame_rate);
   to.set_battery_v(from.battery);
   to.set_cpu_load(from.cpu_load);

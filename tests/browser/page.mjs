@@ -149,6 +149,8 @@ scenarios.relocates = async (page) => {
   await page.mouse.up();
   await page.waitForSelector(".action.done", BOUND);
   say({ relocated: await page.textContent(".action.done") });
+  await page.click("#mute");
+  await page.waitForFunction(() => document.querySelector('tbody tr[data-robot="2"]').textContent.includes("muted"), undefined, BOUND);
   await page.click('tbody tr[data-robot="5"]');
   await page.click("#mute");
   await page.waitForSelector(".action.no-answer", BOUND);

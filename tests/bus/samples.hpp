@@ -48,7 +48,7 @@ inline RobotState full<RobotState>() {
   m.half_log_odds_team = 1.75;
   m.command_acknowledged = 42;
   m.playing = false;
-  m.sees_ball = m.has_ball = m.camera_lost = true;
+  m.sees_ball = m.has_ball = m.camera_lost = m.muted = true;
   m.frame_rate = 25.0;
   m.battery = 23.5;
   m.cpu_load = 0.625;

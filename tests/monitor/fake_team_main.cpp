@@ -109,6 +109,7 @@ void run_robot(const bus::Participant& participant, bus::Loop& loop, RobotId rob
     const HostTime exposure = bus::host_now() - kExposedBefore;
     bus::RobotState state = fake_state(id, exposure);
     state.command_acknowledged = obedience.acknowledged();
+    state.muted = obedience.is_muted();
     states.write(state);
     if (!obedience.is_muted()) sightings.write(fake_sightings(id, exposure));
     if (!obedience.is_watched() || id.sequence % 12 != 0) return;

@@ -58,6 +58,7 @@ export function cameraCell(row: RobotRow): Cell {
 }
 
 export function trustCell(row: RobotRow, mate: WorldTeammate | undefined): Cell {
+  if (row.state?.muted) return cell("muted", "warn", "By the operator: it says nothing of what it sees");
   const trust = mate?.trust ?? row.explained?.trust;
   if (trust === undefined) return DASH;
   const why = format.quarantine(mate?.quarantine ?? row.explained?.quarantine ?? 0);

@@ -133,6 +133,7 @@ describe("a row of the table", () => {
     expect(cameraCell(row({ state: { cameraLost: true } })).tone).toBe("bad");
     expect(cameraCell(row({ state: { frameRateHz: 24.8 } })).text).toBe("25 Hz");
     expect(trustCell(row({ explained: { trust: 0.1, quarantine: 4 } }), undefined).text).toBe("kidnapped");
+    expect(trustCell(row({ state: { muted: true }, explained: { trust: 1 } }), undefined).text).toBe("muted");
     expect(rejectedCell(row({ explained: { rejectedGate: 3, rejectedLate: 12 } })).text).toBe("12 late +");
     expect(rejectedCell(row({ explained: {} })).text).toBe("0");
   });
