@@ -260,11 +260,11 @@ int run(const Options& options) {
   bus::Loop loop;  // before any thread is started: it takes over the signals
   WebServer server(web_settings(options, team, token));
   Recording recording(recorder_settings(options, team), server);
-  say_address(server, token);
   const auto goes_on = [&loop]() {
     return loop.keeps_running();
   };
   auto participant = bus::Participant::join(process::team_domain(team, options.domains), goes_on);
+  say_address(server, token);  // who cannot join ends, and has promised no page
   Station station(station_parameters(options, team));
   OrderDesk desk(boot);
   Feeds feeds(participant);
