@@ -15,10 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include <arpa/inet.h>
-#include <net/if.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
+#include "tests/network/stranger.hpp"
 
 namespace {
 
@@ -79,14 +76,6 @@ void mutate(Packet& packet, Random& random) {
   }
 }
 
-sockaddr_in multicast(int port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  inet_pton(AF_INET, "239.255.0.1", &address.sin_addr);
-  return address;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,15 +86,12 @@ int main(int argc, char** argv) {
   std::vector<Packet> packets = read_packets(argv[4]);
   std::erase_if(packets, [](const Packet& packet) { return packet.size() < 44; });
   if (packets.empty()) return 2;
-  const int out = ::socket(AF_INET, SOCK_DGRAM, 0);
-  ip_mreqn card{};  // with the card named no route is needed
-  card.imr_ifindex = static_cast<int>(if_nametoindex("wlan0"));
-  ::setsockopt(out, IPPROTO_IP, IP_MULTICAST_IF, &card, sizeof card);
+  const int out = teamsight::network::multicast_socket();
   for (;;) {
     for (int i = 0; i < per_turn; ++i) {
       Packet packet = packets[draw(random, packets.size())];
       mutate(packet, random);
-      const sockaddr_in to = multicast(ports + i % 2);
+      const sockaddr_in to = teamsight::network::multicast(ports + i % 2);
       ::sendto(
           out, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
     }

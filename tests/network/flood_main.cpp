@@ -10,32 +10,13 @@
 #include <random>
 #include <thread>
 
-#include <arpa/inet.h>
-#include <net/if.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
-namespace {
-
-sockaddr_in multicast(int port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  inet_pton(AF_INET, "239.255.0.1", &address.sin_addr);
-  return address;
-}
-
-}  // namespace
+#include "tests/network/stranger.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const int ports = 7400 + 250 * std::atoi(argv[1]);
   const int per_turn = std::atoi(argv[2]) / 100;
-  const int out = ::socket(AF_INET, SOCK_DGRAM, 0);
-  ip_mreqn card{};  // with the card named no route is needed
-  card.imr_ifindex = static_cast<int>(if_nametoindex("wlan0"));
-  ::setsockopt(out, IPPROTO_IP, IP_MULTICAST_IF, &card, sizeof card);
+  const int out = teamsight::network::multicast_socket();
   std::mt19937 random(1);
   std::array<std::uint8_t, 1200> packet{'R', 'T', 'P', 'S', 2, 1, 1, 16};
   for (;;) {
@@ -46,7 +27,7 @@ int main(int argc, char** argv) {
           packet.at(at + byte) = static_cast<std::uint8_t>(bits >> (8 * byte));
         }
       }
-      const sockaddr_in to = multicast(ports + i % 2);
+      const sockaddr_in to = teamsight::network::multicast(ports + i % 2);
       if (::sendto(out,
                    packet.data(),
                    packet.size(),
