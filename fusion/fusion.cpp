@@ -12,6 +12,9 @@ constexpr std::size_t kMaxHeld = 192;
 // Of one robot: 80 Hz. More is babble, and would push the others' frames out.
 constexpr std::size_t kMaxHeldOfOne = 40;
 constexpr Duration kBabbleMemory = std::chrono::seconds(2);
+// Frames that count as folded behind the newest folded one: more than anybody sends while the lag
+// lasts. Without an end one forged number far ahead would refuse a robot until it starts again.
+constexpr std::uint32_t kFoldedFrames = 256;
 
 auto sort_key(const Observation& observation) {
   return std::tie(observation.exposure, observation.id);
@@ -129,7 +132,9 @@ Intake Fusion::judge(const Observation& observation, HostTime now) const {
   }
   if (held_of(id.robot) >= kMaxHeldOfOne) return Intake::kTooMany;
   const Folded& folded = folded_[index_of(id.robot)];
-  if (folded.boot == id.boot && id.sequence <= folded.sequence) return Intake::kTooOld;
+  const bool is_folded = folded.boot == id.boot && id.sequence <= folded.sequence &&
+                         folded.sequence - id.sequence < kFoldedFrames;
+  if (is_folded) return Intake::kTooOld;
   if (observation.exposure < now - setting_.parameters.lag) return Intake::kTooOld;
   const bool is_before_checkpoint = sort_key(observation) <= std::tie(folded_exposure_, folded_id_);
   const bool is_pushed_out = order_.size() == kMaxHeld &&

@@ -319,6 +319,21 @@ TEST(Fusion, RefusesADuplicateThatIsAlreadyFoldedAway) {
   EXPECT_EQ(fusion.held(), 1U);
 }
 
+TEST(Fusion, TakesARobotWhoseNumberWasForgedFarAhead) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  eye.look(kLeftOfBall, at_second(1.0));
+  Observation forged = eye.frame();
+  forged.id.sequence += 100'000;
+  fusion.insert(forged, at_second(1.0));
+  eye.look(kLeftOfBall, at_second(2.0));
+  fusion.insert(eye.frame(), at_second(2.0));  // folds the forged one away
+
+  eye.look(kLeftOfBall, at_second(2.05));
+
+  EXPECT_EQ(fusion.insert(eye.frame(), at_second(2.05)), Intake::kAccepted);
+}
+
 TEST(Fusion, LeavesTheOthersUnharmedWhenOneBabblesTenThousandTimesASecond) {
   Fusion fusion = make_fusion();
   Eye babbler(1, 11);
