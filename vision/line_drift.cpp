@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "geometry/angle.hpp"
@@ -15,8 +16,8 @@ namespace teamsight::vision {
 namespace {
 
 constexpr std::uint16_t kFewestPoints = 40;
-constexpr double kFewestFrames = 12.0;
-constexpr double kClears = 0.7;  // of the limit
+constexpr double kFewestFrames = 12.0;  // as whole ones
+constexpr double kClears = 0.7;         // of the limit
 constexpr int kUnknowns = 3;
 
 // Metres on the floor, in R, per px of (too large, shifted right, shifted up) at a point.
@@ -41,6 +42,30 @@ Eigen::Matrix<double, 2, 3> floor_slopes(const LinePoint& point, const DriftGeom
   slopes.col(1) = c * outwards - s * sideways;
   slopes.col(2) = s * outwards + c * sideways;
   return slopes;
+}
+
+/// What one frame knows better than the limit, and the rest left out.
+struct Told {
+  Eigen::Matrix3d info{Eigen::Matrix3d::Zero()};
+  Eigen::Vector3d vector{Eigen::Vector3d::Zero()};
+  double square{0.0};  // estimate' info estimate
+  int directions{0};   // of the three unknowns' space
+};
+
+Told told_by(const DriftEvidence& evidence, double limit_px) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(evidence.info);
+  Told told;
+  for (int i = 0; i < kUnknowns; ++i) {
+    const double info = solver.eigenvalues()[i];
+    if (!(info * limit_px * limit_px > 1.0)) continue;
+    const Eigen::Vector3d direction = solver.eigenvectors().col(i);
+    const double along = direction.dot(evidence.vector);
+    told.info += info * direction * direction.transpose();
+    told.vector += along * direction;
+    told.square += along * along / info;
+    ++told.directions;
+  }
+  return told;
 }
 
 }  // namespace
@@ -78,32 +103,36 @@ DriftEvidence drift_evidence(std::span<const LinePoint> points,
   return evidence;
 }
 
+bool DriftWatch::is_elsewhere(const Pose<Field, Robot>& X_FR) const {
+  return !last_ || (X_FR.origin().vector() - last_->origin().vector()).norm() > rules_.apart ||
+         std::abs(angle_difference(X_FR.theta(), last_->theta())) > rules_.apart;
+}
+
 void DriftWatch::take(const DriftEvidence& evidence, const Pose<Field, Robot>& X_FR) {
-  if (evidence.points == 0) return;
-  const bool is_new = !last_ ||
-                      (X_FR.origin().vector() - last_->origin().vector()).norm() > rules_.apart ||
-                      std::abs(angle_difference(X_FR.theta(), last_->theta())) > rules_.apart;
-  if (!is_new) return;
+  if (evidence.points == 0 || !is_elsewhere(X_FR)) return;
+  const Told told = told_by(evidence, rules_.limit_px);
+  if (told.directions == 0) return;
   last_ = X_FR;
-  const Eigen::LDLT<Eigen::Matrix3d> factors(evidence.info);
-  if (!(factors.vectorD().minCoeff() > 1e-6)) return;
-  const double kept = 1.0 - 1.0 / rules_.memory;
-  info_ = kept * info_ + evidence.info;
-  vector_ = kept * vector_ + evidence.vector;
-  square_ = kept * square_ + evidence.vector.dot(factors.solve(evidence.vector));
-  frames_ = kept * frames_ + 1.0;
+  const double kept = 1.0 - told.directions / (kUnknowns * rules_.memory);
+  info_ = kept * info_ + told.info;
+  vector_ = kept * vector_ + told.vector;
+  square_ = kept * square_ + told.square;
+  told_ = kept * told_ + told.directions;
   judge();
 }
 
 void DriftWatch::judge() {
-  const Eigen::Vector3d estimate = info_.ldlt().solve(vector_);
+  const Eigen::LDLT<Eigen::Matrix3d> factors(info_);
+  // Frames that all leave the same direction open know no drift.
+  if (!(factors.vectorD().minCoeff() * rules_.limit_px * rules_.limit_px > 1.0)) return;
+  const Eigen::Vector3d estimate = factors.solve(vector_);
   const double explained = vector_.dot(estimate);
   report_.size_px = estimate.x();
   report_.shift_px = estimate.tail<2>();
   report_.drift_px = std::hypot(estimate.x(), std::sqrt(0.5) * report_.shift_px.norm());
-  if (frames_ < kFewestFrames) return;
+  if (told_ < kUnknowns * kFewestFrames) return;
   // What the frames' estimates scatter about the common one, over what white noise would.
-  const double scatter = (square_ - explained) / (kUnknowns * (frames_ - 1.0));
+  const double scatter = (square_ - explained) / (told_ - kUnknowns);
   const double chi_square = explained / std::max(scatter, 1e-3);
   const bool is_sure = chi_square > chi_square_gate(kUnknowns, rules_.confidence);
   const double limit = report_.alarm ? kClears * rules_.limit_px : rules_.limit_px;

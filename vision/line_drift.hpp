@@ -45,7 +45,8 @@ struct DriftGeometry {
                                            const DriftGeometry& geometry);
 
 struct DriftRules {
-  double limit_px{1.0};       ///< an error that is smaller raises no alarm
+  /// An error that is smaller raises no alarm, and what one frame knows worse does not count.
+  double limit_px{1.0};
   double confidence{0.9999};  ///< that it is not chance
   double memory{60.0};        ///< frames at different places after which old ones fade
   double apart{0.25};  ///< m, or rad: frames nearer than this to the last one tell nothing new
@@ -61,9 +62,11 @@ struct DriftReport {
 
 /// Watches the evidence of many frames.
 ///
-/// Frames are taken at different places only; how much their estimates scatter widens the test, so
-/// that paint which lies a little off, or noise that is not white, raises no alarm. Once raised, an
-/// alarm stays until the error is under 0.7 of the limit. A value; no clock.
+/// Frames are taken at different places only, and of each what it can tell: a frame that shows one
+/// line counts for the one or two directions that this line measures. How much the estimates
+/// scatter widens the test, so that paint which lies a little off, or noise that is not white,
+/// raises no alarm. Once raised, an alarm stays until the error is under 0.7 of the limit. A value;
+/// no clock.
 class DriftWatch {
  public:
   explicit DriftWatch(const DriftRules& rules = {}) : rules_(rules) {}
@@ -74,13 +77,14 @@ class DriftWatch {
   [[nodiscard]] const DriftReport& report() const { return report_; }
 
  private:
+  [[nodiscard]] bool is_elsewhere(const Pose<Field, Robot>& X_FR) const;
   void judge();
 
   DriftRules rules_;
   Eigen::Matrix3d info_{Eigen::Matrix3d::Zero()};
   Eigen::Vector3d vector_{Eigen::Vector3d::Zero()};
   double square_{0.0};  // sum of estimate' info estimate of the frames
-  double frames_{0.0};  // faded count
+  double told_{0.0};    // faded count of the directions that frames told
   std::optional<Pose<Field, Robot>> last_;
   DriftReport report_;
 };

@@ -134,16 +134,67 @@ TEST(DriftWatch, SeesAPictureThatIsTooLarge) {
   EXPECT_NEAR(watch.report().size_px, 2.0, 0.5);
 }
 
-TEST(DriftWatch, LearnsNothingWhileTheRobotStands) {
+// A frame that knows these informations of (too large, right, up) and sees `drift`.
+DriftEvidence frame_that_knows(const Eigen::Vector3d& info, const Eigen::Vector3d& drift) {
   DriftEvidence evidence;
-  evidence.info = 100.0 * Eigen::Matrix3d::Identity();
-  evidence.vector = 500.0 * Eigen::Vector3d::UnitX();
+  evidence.info = info.asDiagonal();
+  evidence.vector = info.cwiseProduct(drift);
   evidence.points = 100;
+  return evidence;
+}
+
+const Eigen::Vector3d kAll{100.0, 100.0, 100.0};   // 0.1 px each
+const Eigen::Vector3d kNothing{0.01, 0.01, 0.01};  // 10 px each
+const Eigen::Vector3d kSizeOnly{100.0, 0.01, 0.01};
+const Eigen::Vector3d kTooLarge{3.0, 0.0, 0.0};
+
+TEST(DriftWatch, LearnsNothingWhileTheRobotStands) {
   DriftWatch watch;
 
-  for (int i = 0; i < 1000; ++i) watch.take(evidence, {1.0, 2.0, 0.3});
+  for (int i = 0; i < 1000; ++i) watch.take(frame_that_knows(kAll, kTooLarge), {1.0, 2.0, 0.3});
 
   EXPECT_FALSE(watch.report().alarm);
+}
+
+TEST(DriftWatch, TakesAGoodFrameBesideOneThatToldNothing) {
+  DriftWatch watch;
+  for (int i = 0; i < 20; ++i) {
+    const Pose<Field, Robot> X_FR(0.3 * i, 0.0, 0.0);
+    watch.take(frame_that_knows(kNothing, kTooLarge), X_FR);
+    watch.take(frame_that_knows(kAll, kTooLarge), X_FR);
+  }
+
+  EXPECT_TRUE(watch.report().alarm);
+  EXPECT_NEAR(watch.report().drift_px, 3.0, 0.01);
+}
+
+TEST(DriftWatch, KeepsWhatItKnowsWhileFramesTellNothing) {
+  DriftWatch watch;
+  for (int i = 0; i < 20; ++i) watch.take(frame_that_knows(kAll, kTooLarge), {0.3 * i, 0.0, 0.0});
+  const DriftReport before = watch.report();
+
+  for (int i = 0; i < 500; ++i) {
+    watch.take(frame_that_knows(kNothing, Eigen::Vector3d::Zero()), {0.3 * i, 1.0, 0.0});
+  }
+
+  EXPECT_TRUE(watch.report().alarm);
+  EXPECT_DOUBLE_EQ(watch.report().drift_px, before.drift_px);
+}
+
+TEST(DriftWatch, CountsAFrameByWhatItKnows) {
+  DriftWatch watch;
+  // Three whole frames, and others that know one unknown of three; old ones fade.
+  int looks = 0;
+  const auto see = [&](const Eigen::Vector3d& info) {
+    watch.take(frame_that_knows(info, kTooLarge), {0.3 * looks++, 0.0, 0.0});
+  };
+  for (int i = 0; i < 3; ++i) see(kAll);
+
+  for (int i = 0; i < 20; ++i) see(kSizeOnly);
+  EXPECT_FALSE(watch.report().alarm);
+
+  for (int i = 0; i < 25; ++i) see(kSizeOnly);
+  EXPECT_TRUE(watch.report().alarm);
 }
 
 }  // namespace
