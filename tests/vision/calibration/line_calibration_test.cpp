@@ -75,6 +75,33 @@ TEST(LineCalibration, KnowsTheFloorOfBentRobotsToACentimetre) {
   }
 }
 
+TEST(LineCalibration, LooksForTheLinesThroughTheCameraItFound) {
+  const FieldModel field = test_field();
+  std::mt19937 random(102);
+  const BentCamera camera(random_defects(random));
+  const auto pixels = drive_around(camera, field, 8, random);
+  // A detector that puts the lines farther out the more its camera is wrong.
+  const auto look = [&](const CameraParameters& eye) {
+    const double share = 0.01 * ground_error(camera, CameraModel(eye));
+    auto found = pixels;
+    for (std::vector<Pixel>& view : found) {
+      for (Pixel& pixel : view) {
+        pixel.u += share * (pixel.u - 319.5);
+        pixel.v += share * (pixel.v - 239.5);
+      }
+    }
+    return found;
+  };
+  const LineMap map(field);
+
+  const auto once = calibrate_lines(map, drawn_camera(), look(drawn_camera()), {});
+  const auto again = calibrate_lines(map, drawn_camera(), look, {});
+
+  EXPECT_FALSE(again.refusal.has_value());
+  EXPECT_GT(ground_error(camera, CameraModel(once.camera)), 0.010);
+  EXPECT_LT(ground_error(camera, CameraModel(again.camera)), 0.003);
+}
+
 TEST(LineCalibration, RefusesViewsThatShowOneLineOnly) {
   FieldModel field;
   field.name = "one line";
