@@ -1,4 +1,5 @@
 // settings/mirror_profile_csv.cpp: a mirror's meridian with slopes, as a CSV file.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -25,8 +26,8 @@ struct Line {
   [[nodiscard]] SettingsError error(const std::string& key,
                                     const std::string& found,
                                     const std::string& expected) const {
-    return SettingsError(path->string() + ":" + std::to_string(number) + ": key '" + key +
-                         "': found " + found + ", expected " + expected);
+    return SettingsError(path->string() + ":" + std::to_string(std::max(number, 1)) + ": key '" +
+                         key + "': found " + found + ", expected " + expected);
   }
 };
 
@@ -42,6 +43,8 @@ mirror::Node node_of(const Line& line) {
     }
     at = stop + 1;
   }
+  if (values[0] < 0.0) throw line.error("x_m", text_of(values[0]), "at least 0, the axis");
+  if (values[1] <= 0.0) throw line.error("y_m", text_of(values[1]), "above 0, the pinhole");
   return {values[0], values[1], values[2]};
 }
 

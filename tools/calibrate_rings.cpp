@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -38,11 +39,14 @@ struct RingOptions {
 };
 
 std::vector<double> growing_distances(const std::string& text) {
+  constexpr std::size_t kFewest = 3;  // fewer make no table
   std::vector<double> distances = read_numbers("--distances", text);
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (distances[i] > (i > 0 ? distances[i - 1] : 0.0)) continue;
+  const bool grow =
+      distances.front() > 0.0 &&
+      std::ranges::adjacent_find(distances, std::ranges::greater_equal()) == distances.end();
+  if (!grow || distances.size() < kFewest) {
     throw std::runtime_error("--distances: found \"" + text +
-                             "\", expected growing distances over 0 m");
+                             "\", expected three or more growing distances over 0 m");
   }
   return distances;
 }
@@ -62,6 +66,15 @@ vision::RingRules rules_of(const RingOptions& options,
 vision::Pixel centre_of(const RingOptions& options, const ImageFile& picture) {
   if (options.centre.empty()) return {0.5 * picture.width_px, 0.5 * picture.height_px};
   const std::vector<double> centre = read_numbers("--centre", options.centre, 2);
+  if (std::min(centre[0], centre[1]) < 0.0 || centre[0] >= picture.width_px ||
+      centre[1] >= picture.height_px) {
+    throw std::runtime_error(
+        fmt::format("--centre: found \"{}\", expected a place in {} of {}x{} pixels",
+                    options.centre,
+                    options.image,
+                    picture.width_px,
+                    picture.height_px));
+  }
   return {centre[0], centre[1]};
 }
 

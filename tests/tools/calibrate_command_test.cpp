@@ -139,23 +139,33 @@ TEST(CalibrateLines, RefusesAFieldWithoutLines) {
                    "found neither lines nor arcs");
 }
 
-TEST(CalibrateLines, RefusesAnImageOfAnotherSize) {
+TEST(CalibrateLines, RefusesAnImageOfAnotherSizeAndWritesNothing) {
   const TempDirectory folder;
   const fs::path image = folder.write("a.raw", std::string(1000, 'x'));
+  const fs::path out = folder.path() / "out";
+  const fs::path report = folder.path() / "report";
 
   expect_bad_input(run({"lines",
                         "--base",
                         config("cameras/sim-640"),
                         "--field",
                         config("fields/msl-2024"),
+                        "--out",
+                        out,
+                        "--report",
+                        report,
                         image}),
-                   "a.raw");
+                   "a.raw: found 1000 bytes, expected 614400");
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_FALSE(fs::exists(report));
 }
 
-TEST(CalibrateRings, RefusesRingsOutOfOrder) {
-  expect_bad_input(
-      run({"rings", "--base", config("cameras/kassel-nase"), "--distances", "1,3,2", "a.png"}),
-      "--distances: found \"1,3,2\", expected growing distances");
+TEST(CalibrateRings, RefusesRingsOutOfOrderOrTooFewOfThem) {
+  for (const std::string distances : {"1,3,2", "1,2,2", "0,1,2", "1,2"}) {
+    expect_bad_input(
+        run({"rings", "--base", config("cameras/kassel-nase"), "--distances", distances, "a.png"}),
+        "--distances: found \"" + distances + "\", expected three or more growing distances");
+  }
 }
 
 TEST(CalibrateColours, RefusesAnUnknownClass) {

@@ -118,11 +118,13 @@ INSTANTIATE_TEST_SUITE_P(
     Reasons,
     SpoiltProfile,
     testing::Values(
-        Spoilt{"", ":0", "no rows"},
+        Spoilt{"", ":1", "no rows"},
         Spoilt{"x_m,y_m\n0,1\n", ":1", "the head x_m,y_m,slope"},
         Spoilt{"x_m,y_m,slope\n0,0.1,0\n0.1,0.2\n", ":3", "three finite numbers"},
         Spoilt{"x_m,y_m,slope\n0,0.1,0\n0.1,inf,0\n", ":3", "three finite numbers"},
         Spoilt{"x_m,y_m,slope\n0,0.1,0\n0.1,0.1,0\n0.05,0.1,0\n", ":4", "must be a function"},
+        Spoilt{"x_m,y_m,slope\n-0.1,0.1,0\n0.1,0.1,0\n", ":2", "at least 0, the axis"},
+        Spoilt{"x_m,y_m,slope\n0,0.1,0\n0.1,-0.1,0\n", ":3", "above 0, the pinhole"},
         Spoilt{"x_m,y_m,slope\n0,0.1,0\n", ":2", "at least two rows"}));
 
 }  // namespace
