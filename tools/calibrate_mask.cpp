@@ -2,6 +2,7 @@
 #include "tools/calibrate_mask.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -53,17 +54,41 @@ ordered_json report(const vision::Body& body, std::size_t frames) {
     line["patches"].push_back({{"from_deg", kDegrees * patch.from},
                                {"to_deg", kDegrees * patch.to},
                                {"inner_px", patch.inner_px},
-                               {"outer_px", patch.outer_px}});
+                               {"outer_px", patch.outer_px},
+                               {"strut", patch.is_strut}});
   }
   return line;
 }
 
-// Struts hide their whole direction: what lies beyond them is seen by nobody.
-vision::CameraParameters with_body(vision::CameraParameters camera, const vision::Body& body) {
+// The patch's outline: along the outer circle, then back along the inner one. Chords of the outer
+// circle stay inside it, so that no more floor is hidden than the patch.
+vision::Polygon outline(const vision::BodyPatch& patch, const vision::Pixel& centre) {
+  constexpr double kStep = 4.0 / kDegrees;
+  const int steps = std::max(1, static_cast<int>(std::ceil((patch.to - patch.from) / kStep)));
+  vision::Polygon polygon;
+  const auto add = [&](double radius, int step) {
+    const double direction = patch.from + (patch.to - patch.from) * step / steps;
+    polygon.push_back(
+        {centre.u + radius * std::cos(direction), centre.v - radius * std::sin(direction)});
+  };
+  for (int step = 0; step <= steps; ++step) add(patch.outer_px, step);
+  for (int step = steps; step >= 0; --step) add(patch.inner_px, step);
+  return polygon;
+}
+
+// A strut, from the body to the rim, hides its whole direction; other patches hide themselves.
+vision::CameraParameters with_body(vision::CameraParameters camera,
+                                   const vision::Body& body,
+                                   const vision::Pixel& centre) {
   camera.mask.inner_radius_px = body.inner_radius_px;
   camera.mask.sectors.clear();
+  camera.mask.polygons.clear();
   for (const vision::BodyPatch& patch : body.patches) {
-    camera.mask.sectors.push_back({patch.from, patch.to});
+    if (patch.is_strut) {
+      camera.mask.sectors.push_back({patch.from, patch.to});
+    } else {
+      camera.mask.polygons.push_back(outline(patch, centre));
+    }
   }
   return camera;
 }
@@ -85,7 +110,7 @@ int calibrate_mask(const MaskOptions& options) {
   std::cout << report(*body, options.images.size()).dump() << std::endl;
   if (!options.out.empty()) {
     settings::save_camera(options.out,
-                          with_body(camera, *body),
+                          with_body(camera, *body, model.centre()),
                           "Mask from " + std::to_string(options.images.size()) +
                               " frames of a driving robot: teamsight calibrate mask");
   }

@@ -17,7 +17,8 @@ constexpr double kLeastSigma = 2.0;    // grey levels; less is rounding
 constexpr double kMostlyStill = 0.75;  // of the picture: then the robot stood
 constexpr double kBody = 0.85;         // of a ring, for the inner disc
 constexpr double kPart = 0.6;          // of a cell, for a patch
-constexpr int kDirections = 180;       // of 2 degrees
+constexpr double kStrutPart = 0.3;     // of a cell, for a strut
+constexpr int kDirections = 360;       // of 1 degree
 constexpr double kRing = 4.0;          // px
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
@@ -41,10 +42,14 @@ class PolarShare {
 
   [[nodiscard]] std::size_t rings() const { return rings_; }
 
-  // Near the centre cells are smaller than pixels: an empty one is like its ring.
-  [[nodiscard]] bool is_still(std::size_t ring, std::size_t column) const {
+  // Near the centre cells are smaller than pixels: some have none, and say nothing.
+  [[nodiscard]] bool is_empty(std::size_t ring, std::size_t column) const {
+    return all_[ring * kDirections + column % kDirections] == 0;
+  }
+
+  [[nodiscard]] bool is_still(std::size_t ring, std::size_t column, double part = kPart) const {
     const std::size_t i = ring * kDirections + column % kDirections;
-    return all_[i] > 0 && still_[i] > kPart * all_[i];
+    return all_[i] > 0 && still_[i] > part * all_[i];
   }
 
   [[nodiscard]] double ring_share(std::size_t ring) const {
@@ -71,18 +76,44 @@ class PolarShare {
   std::vector<int> still_;
 };
 
-// Stretches of still cells along one direction, beyond the inner disc.
+// Whether cells along one direction stay still from the disc to the rim. A strut need not fill its
+// cells: what it hides beside its middle is lost as well. Its foot is thin and blurred: up to a
+// quarter of the way may miss, and a few rings at the rim, which is half outside the mirror.
+bool is_strut(const PolarShare& polar, std::size_t inner, std::size_t column) {
+  constexpr std::size_t kGapAtRim = 3;  // rings
+  const std::size_t way = polar.rings() - inner;
+  const std::size_t longest_gap = std::max(kGapAtRim, way / 4);
+  std::size_t still = 0;
+  std::size_t gap = 0;
+  for (std::size_t ring = inner; ring < polar.rings(); ++ring) {
+    if (gap == 0 && polar.is_empty(ring, column)) continue;
+    gap = polar.is_still(ring, column, kStrutPart) ? 0 : gap + 1;
+    if (gap == 0) ++still;
+    if (gap > longest_gap) return false;
+  }
+  return gap <= kGapAtRim && 2 * still > way;
+}
+
+BodyPatch patch_of(std::size_t column, std::size_t first_ring, std::size_t end_ring) {
+  return {kTurn * static_cast<double>(column) / kDirections,
+          kTurn * static_cast<double>(column + 1) / kDirections,
+          kRing * static_cast<double>(first_ring),
+          kRing * static_cast<double>(end_ring)};
+}
+
+// What stays still along one direction beyond the inner disc: a strut, or stretches of cells. A
+// single ring is the edge of the disc, or chance.
 std::vector<BodyPatch> stretches(const PolarShare& polar, std::size_t inner, std::size_t column) {
   std::vector<BodyPatch> found;
+  if (is_strut(polar, inner, column)) {
+    found.push_back(patch_of(column, inner, polar.rings()));
+    found.back().is_strut = true;
+    return found;
+  }
   std::size_t first = inner;
   for (std::size_t ring = inner; ring <= polar.rings(); ++ring) {
     if (ring < polar.rings() && polar.is_still(ring, column)) continue;
-    if (ring > first) {
-      found.push_back({kTurn * static_cast<double>(column) / kDirections,
-                       kTurn * static_cast<double>(column + 1) / kDirections,
-                       kRing * static_cast<double>(first),
-                       kRing * static_cast<double>(ring)});
-    }
+    if (ring > first + 1) found.push_back(patch_of(column, first, ring));
     first = ring + 1;
   }
   return found;
@@ -93,8 +124,8 @@ void join(std::vector<BodyPatch>& patches, const BodyPatch& next) {
   constexpr double kMostTurn = 1.0;  // rad: a patch must not look like a sector of half the picture
   for (BodyPatch& patch : patches) {
     const bool touches =
-        std::abs(patch.to - next.from) < 1e-9 && patch.inner_px <= next.inner_px + kRing &&
-        next.inner_px <= patch.inner_px + kRing &&
+        patch.is_strut == next.is_strut && std::abs(patch.to - next.from) < 1e-9 &&
+        patch.inner_px <= next.inner_px + kRing && next.inner_px <= patch.inner_px + kRing &&
         std::abs(patch.outer_px - next.outer_px) <= 2.0 * kRing && next.to - patch.from < kMostTurn;
     if (!touches) continue;
     patch.to = next.to;
@@ -179,10 +210,6 @@ Result<Body, BodyFailure> BodyWatch::body(const ColourClasses& colours) const {
   for (std::size_t column = 0; column < kDirections; ++column) {
     for (const BodyPatch& patch : stretches(polar, inner, column)) join(body.patches, patch);
   }
-  // A single ring is the edge of the disc, or chance.
-  std::erase_if(body.patches, [](const BodyPatch& patch) {
-    return patch.outer_px - patch.inner_px < 1.5 * kRing;
-  });
   return body;
 }
 

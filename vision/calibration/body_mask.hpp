@@ -19,12 +19,13 @@ struct BodyPatch {
   double to{0.0};    ///< more than `from`, by less than half a turn
   double inner_px{0.0};
   double outer_px{0.0};
+  bool is_strut{false};  ///< reaches from the disc to the rim: nothing is seen in its directions
 };
 
 /// The robot as its camera sees it.
 struct Body {
   double inner_radius_px{0.0};     ///< all of it inside is own body
-  std::vector<BodyPatch> patches;  ///< struts, and what stands out of the disc
+  std::vector<BodyPatch> patches;  ///< struts, and what else stands out of the disc or hangs in it
   double hidden_share{0.0};        ///< of the mirror's picture, altogether
 };
 

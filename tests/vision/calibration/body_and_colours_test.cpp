@@ -15,9 +15,9 @@
 namespace teamsight::vision {
 namespace {
 
-constexpr std::uint32_t kWidth = 160;
-constexpr std::uint32_t kHeight = 120;
-constexpr Pixel kCentre{80.0, 60.0};
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 240;
+constexpr Pixel kCentre{160.0, 120.0};
 
 struct Bgr {
   int b{0};
@@ -52,13 +52,13 @@ ColourParameters green_only() {
   return colours;
 }
 
-// A frame of a driving robot: body inside 15 px, a strut towards the right, stripes that move.
+// A frame of a driving robot: body inside 30 px, a strut towards the right, stripes that move.
 Canvas frame_of(int number, std::mt19937& random, bool is_driving = true) {
   std::normal_distribution<double> noise(0.0, 2.0);
   return Canvas([&](std::uint32_t u, std::uint32_t v) {
     const double du = u - kCentre.u;
     const double dv = v - kCentre.v;
-    const bool is_body = std::hypot(du, dv) < 15.0 || (du > 0.0 && std::abs(dv) < 0.08 * du);
+    const bool is_body = std::hypot(du, dv) < 30.0 || (du > 0.0 && std::abs(dv) < 0.08 * du);
     const auto n = static_cast<int>(std::lround(noise(random)));
     if (is_body) return Bgr{20 + n, 20 + n, 20 + n};
     const int phase = static_cast<int>(u + v) + (is_driving ? 7 * number : 0);
@@ -68,24 +68,52 @@ Canvas frame_of(int number, std::mt19937& random, bool is_driving = true) {
 }
 
 TEST(BodyWatch, FindsTheDiscAndTheStrut) {
-  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  BodyWatch watch(kCentre, 116.0, kWidth, kHeight);
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) watch.add(frame_of(i, random).view());
 
   const auto body = watch.body(ColourClasses(green_only()));
 
   ASSERT_TRUE(body);
-  EXPECT_NEAR(body->inner_radius_px, 14.0, 4.0);
+  EXPECT_NEAR(body->inner_radius_px, 28.0, 4.0);
   ASSERT_FALSE(body->patches.empty());
   for (const BodyPatch& patch : body->patches) {
     const double middle = std::remainder(0.5 * (patch.from + patch.to), 2.0 * std::numbers::pi);
     EXPECT_LT(std::abs(middle), 0.15);
-    EXPECT_GT(patch.outer_px, 50.0);
+    EXPECT_GT(patch.outer_px, 108.0);
+    EXPECT_TRUE(patch.is_strut);
+  }
+}
+
+TEST(BodyWatch, TakesAPatchThatHangsOverTheFloorForNoStrut) {
+  BodyWatch watch(kCentre, 116.0, kWidth, kHeight);
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0.0, 2.0);
+  for (int i = 0; i < 20; ++i) {
+    const Canvas frame([&](std::uint32_t u, std::uint32_t v) {
+      const bool is_body = std::hypot(u - kCentre.u, v - kCentre.v) < 30.0 ||
+                           (u > 210 && u < 240 && v > 104 && v < 136);
+      const auto n = static_cast<int>(std::lround(noise(random)));
+      if (is_body) return Bgr{20 + n, 20 + n, 20 + n};
+      const bool is_stripe = (static_cast<int>(u + v) + 7 * i) % 40 < 12;
+      return is_stripe ? Bgr{220 + n, 220 + n, 220 + n} : Bgr{40 + n, 120 + n, 40 + n};
+    });
+    watch.add(frame.view());
+  }
+
+  const auto body = watch.body(ColourClasses(green_only()));
+
+  ASSERT_TRUE(body);
+  ASSERT_FALSE(body->patches.empty());
+  for (const BodyPatch& patch : body->patches) {
+    EXPECT_FALSE(patch.is_strut);
+    EXPECT_GE(patch.inner_px, 44.0);
+    EXPECT_LE(patch.outer_px, 88.0);
   }
 }
 
 TEST(BodyWatch, RefusesARobotThatStands) {
-  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  BodyWatch watch(kCentre, 116.0, kWidth, kHeight);
   std::mt19937 random(2);
   const Canvas grey([](std::uint32_t, std::uint32_t) { return Bgr{90, 90, 90}; });
   for (int i = 0; i < 20; ++i) watch.add(grey.view());
@@ -97,7 +125,7 @@ TEST(BodyWatch, RefusesARobotThatStands) {
 }
 
 TEST(BodyWatch, RefusesNineFrames) {
-  BodyWatch watch(kCentre, 58.0, kWidth, kHeight);
+  BodyWatch watch(kCentre, 116.0, kWidth, kHeight);
   std::mt19937 random(3);
   for (int i = 0; i < 9; ++i) watch.add(frame_of(i, random).view());
 
