@@ -81,7 +81,9 @@ class FusionRun {
     if (world_.balls.empty()) return;
     if (log_.scenario.play.balls == 1 && world_.balls.size() > 1) ++tally.second_balls;
     const play::TrueBall& truth = log_.at(tick.t).balls[0];
-    const WorldBall& ball = chosen_ball(truth);
+    const WorldBall* chosen = chosen_ball(log_.at(tick.t).balls);
+    if (chosen == nullptr) return;
+    const WorldBall& ball = *chosen;
     const Eigen::Vector3d error = ball.p_FB.vector() - truth.p_F;
     const Eigen::Vector3d error_v = ball.v_FB.vector() - truth.v_F;
     tally.position.add(squared_ball_error(truth, ball.p_FB.vector()));
@@ -95,14 +97,21 @@ class FusionRun {
     tally.bound_high.add(tick.bound.var_position);
   }
 
-  /// The most probable one; of two true balls, the one that is nearer to the first.
-  [[nodiscard]] const WorldBall& chosen_ball(const play::TrueBall& truth) const {
-    if (log_.scenario.play.balls == 1 || world_.balls.size() == 1) return world_.balls[0];
-    const auto distance = [&](const WorldBall& ball) {
-      return (ball.p_FB.vector() - truth.p_F).head<2>().norm();
-    };
-    return distance(world_.balls[0]) <= distance(world_.balls[1]) ? world_.balls[0]
-                                                                  : world_.balls[1];
+  /// The most probable one; with two true balls, the best of those listed that are nearer to the
+  /// first than to the second. Nothing if the second alone is listed: the first one is not known
+  /// then.
+  [[nodiscard]] const WorldBall* chosen_ball(const std::vector<play::TrueBall>& truths) const {
+    if (truths.size() == 1) return &world_.balls[0];
+    const WorldBall* best = nullptr;
+    double nearest = 1e9;
+    for (const WorldBall& ball : world_.balls) {
+      const double to_first = (ball.p_FB.vector() - truths[0].p_F).head<2>().norm();
+      const double to_second = (ball.p_FB.vector() - truths[1].p_F).head<2>().norm();
+      if (to_first > to_second || to_first >= nearest) continue;
+      best = &ball;
+      nearest = to_first;
+    }
+    return best;
   }
 
   void count_obstacles(const Tick& tick) {
