@@ -17,7 +17,7 @@ constexpr double kWorthSplitting = 0.03;
 
 /// Places in the list for each way of moving: the many instants of a kick along the floor must not
 /// crowd out the rarer one into the air. Index: BallMode.
-constexpr std::array<std::size_t, 2> kPlaces{6, 4};
+constexpr std::array<std::size_t, 2> kPlaces{10, 6};
 static_assert(kPlaces[0] + kPlaces[1] == kMaxBallBeliefs);
 
 /// Makes room for one that moves like this, by forgetting the least probable of its kind.
@@ -46,16 +46,35 @@ void normalise(BallBeliefs& beliefs) {
   for (BallBelief& belief : beliefs) belief.probability /= sum;
 }
 
-bool may_be_kicked(const BallBelief& belief, const BallMotion& motion) {
-  return belief.probability >= kWorthSplitting && belief.state.mean(2) <= motion.foot_reach;
+void take_step(BallBelief& belief, const BallStep& step, const BallMotion& motion) {
+  belief.state.predict(step.transition, step.mean, step.disturbance);
+  if (!step.lands) return;
+  belief.mode = BallMode::kRolling;
+  lay_down(belief.state, motion);
 }
 
-BallBelief kicked(const BallBelief& before, double dt, BallMode into, const BallMotion& motion) {
+/// How often, and into which direction, a ball would be kicked that is where a possibility says.
+struct KickChance {
+  double rate{0.0};  // 1/s
+  Eigen::Vector2d away{Eigen::Vector2d::Zero()};
+};
+
+KickChance chance_of(const BallBelief& belief, const FeetList& feet, const BallMotion& motion) {
+  if (belief.state.mean(2) > motion.foot_height) return {};
+  const double var = 0.5 * (belief.state.cov(0, 0) + belief.state.cov(1, 1));
+  const Touch touch = likeliest_touch(belief.state.mean.head<2>(), var, feet, motion.foot_reach);
+  const double by_foot = touch.probability * motion.kicks_at_foot;
+  const double rate = by_foot + (1.0 - touch.probability) * motion.kicks_alone;
+  if (rate <= 0.0) return {};
+  return {rate, (by_foot / rate) * touch.away};
+}
+
+BallBelief kicked(const BallBelief& before, double dt, const Kick& kick, const BallMotion& motion) {
   BallBelief belief = before;
-  const BallStep step = step_kicked(before.state.mean, dt, into, motion);
-  belief.mode = into;
+  const BallStep step = step_kicked(before.state.mean, dt, kick, motion);
+  belief.mode = kick.into;
   belief.state.predict(step.transition, step.mean, step.disturbance);
-  if (into == BallMode::kRolling) lay_down(belief.state, motion);
+  if (kick.into == BallMode::kRolling) lay_down(belief.state, motion);
   return belief;
 }
 
@@ -122,31 +141,40 @@ void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
     const BallStep step = belief.mode == BallMode::kFlying
                               ? step_flying(belief.state.mean, dt, motion)
                               : step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);
-    belief.state.predict(step.transition, step.mean, step.disturbance);
-    if (!step.lands) continue;
-    belief.mode = BallMode::kRolling;
-    lay_down(belief.state, motion);
+    take_step(belief, step, motion);
+    if (const auto stopped = step_stopped(belief.state.mean, motion)) {
+      take_step(belief, *stopped, motion);
+    }
   }
 }
 
-void split_off_kicks(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
-  const double rate = motion.kicks + motion.high_kicks;
-  const double kick = 1.0 - std::exp(-rate * dt);
-  const double low = kick * motion.kicks / rate;
-  const double high = kick - low;
-  const BallBeliefs before = beliefs;
+double kick_rate(const BallBeliefs& beliefs, const FeetList& feet, const BallMotion& motion) {
+  double rate = 0.0;
+  for (const BallBelief& belief : beliefs) {
+    rate += belief.probability * chance_of(belief, feet, motion).rate;
+  }
+  return rate;
+}
+
+void split_off_kicks(BallBeliefs& beliefs,
+                     double dt,
+                     const FeetList& feet,
+                     const BallMotion& motion) {
+  BallBeliefs kicks;
   for (BallBelief& belief : beliefs) {
-    if (may_be_kicked(belief, motion)) belief.probability *= 1.0 - kick;
+    if (belief.probability < kWorthSplitting) continue;
+    const KickChance chance = chance_of(belief, feet, motion);
+    const double kick = 1.0 - std::exp(-chance.rate * dt);
+    if (kick <= 0.0) continue;
+    BallBelief along = kicked(belief, dt, {BallMode::kRolling, chance.away}, motion);
+    BallBelief up = kicked(belief, dt, {BallMode::kFlying, chance.away}, motion);
+    along.probability *= kick * (1.0 - motion.high_share);
+    up.probability *= kick * motion.high_share;
+    belief.probability *= 1.0 - kick;
+    put(kicks, along);
+    put(kicks, up);
   }
-  for (const BallBelief& belief : before) {
-    if (!may_be_kicked(belief, motion)) continue;
-    BallBelief along = kicked(belief, dt, BallMode::kRolling, motion);
-    BallBelief up = kicked(belief, dt, BallMode::kFlying, motion);
-    along.probability *= low;
-    up.probability *= high;
-    put(beliefs, along);
-    put(beliefs, up);
-  }
+  for (const BallBelief& kick : kicks) put(beliefs, kick);
   normalise(beliefs);
 }
 
@@ -173,16 +201,17 @@ BallMoments moments_of(const BallBeliefs& beliefs) {
   return moments;
 }
 
-void doubt_kicks(BallMoments& moments, double dt, const BallMotion& motion) {
-  const double chance = 1.0 - std::exp(-(motion.kicks + motion.high_kicks) * dt);
-  for (int axis = 0; axis < 2; ++axis) {
-    const double old = moments.mean(3 + axis);
-    const double changed = chance * (motion.sigma_kick * motion.sigma_kick + old * old);
-    moments.cov(axis, axis) += changed * dt * dt / 3.0;
-    moments.cov(axis, 3 + axis) += changed * dt / 2.0;
-    moments.cov(3 + axis, axis) += changed * dt / 2.0;
-    moments.cov(3 + axis, 3 + axis) += changed;
-  }
+void doubt_kicks(BallMoments& moments, double dt, double rate, const BallMotion& motion) {
+  const double chance = 1.0 - std::exp(-rate * dt);
+  const double along = motion.sigma_kick * motion.sigma_kick;
+  const double up = motion.climb * motion.climb + motion.sigma_climb * motion.sigma_climb;
+  Eigen::Vector3d changed = Eigen::Vector3d(along, along, motion.high_share * up);
+  changed.head<2>() += moments.mean.segment<2>(3).cwiseAbs2();
+  changed *= chance;
+  moments.cov.diagonal().head<3>() += dt * dt / 3.0 * changed;
+  moments.cov.diagonal().tail<3>() += changed;
+  moments.cov.topRightCorner<3, 3>().diagonal() += dt / 2.0 * changed;
+  moments.cov.bottomLeftCorner<3, 3>().diagonal() += dt / 2.0 * changed;
 }
 
 }  // namespace teamsight::fusion

@@ -3,6 +3,7 @@
 
 #include "fusion/ball_motion.hpp"
 #include "fusion/considered.hpp"
+#include "fusion/feet.hpp"
 #include "fusion/inline_list.hpp"
 
 namespace teamsight::fusion {
@@ -14,7 +15,7 @@ struct BallBelief {
   double probability{0.0};
 };
 
-inline constexpr std::size_t kMaxBallBeliefs = 10;
+inline constexpr std::size_t kMaxBallBeliefs = 16;
 
 /// Probabilities add up to 1. A kick begins a possibility of its own and leaves the others as sharp
 /// as they are: mixed into them, as interacting models [Blom88] do, the chance of a kick in every
@@ -33,8 +34,16 @@ void lay_down(Considered<6>& state, const BallMotion& motion);
 /// Goes on in time. @param dt  s, above 0
 void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion);
 
+/// Kicks per second to be expected of a ball, wherever it may be.
+[[nodiscard]] double kick_rate(const BallBeliefs& beliefs,
+                               const FeetList& feet,
+                               const BallMotion& motion);
+
 /// Adds the possibilities that the ball was kicked within the last `dt` (s).
-void split_off_kicks(BallBeliefs& beliefs, double dt, const BallMotion& motion);
+void split_off_kicks(BallBeliefs& beliefs,
+                     double dt,
+                     const FeetList& feet,
+                     const BallMotion& motion);
 
 /// Makes one of possibilities that have become alike, forgets the improbable, normalises.
 void tidy(BallBeliefs& beliefs);
@@ -42,6 +51,8 @@ void tidy(BallBeliefs& beliefs);
 [[nodiscard]] BallMoments moments_of(const BallBeliefs& beliefs);
 
 /// Adds what a kick within the last `dt` (s), of which nothing is known, may have changed.
-void doubt_kicks(BallMoments& moments, double dt, const BallMotion& motion);
+///
+/// @param rate  kicks per second, see kick_rate
+void doubt_kicks(BallMoments& moments, double dt, double rate, const BallMotion& motion);
 
 }  // namespace teamsight::fusion

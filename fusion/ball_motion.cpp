@@ -63,26 +63,46 @@ BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion
   return step;
 }
 
-BallStep step_kicked(const BallVector& mean, double dt, BallMode into, const BallMotion& motion) {
+std::optional<BallStep> step_stopped(const BallVector& mean, const BallMotion& motion) {
+  const Eigen::Vector2d from_centre = mean.head<2>() - motion.carpet_centre;
+  const Eigen::Vector2d kept =
+      from_centre.cwiseMax(-motion.carpet_reach).cwiseMin(motion.carpet_reach);
+  if (kept == from_centre) return std::nullopt;
+  const double var = motion.sigma_stopped * motion.sigma_stopped;
+  BallStep step;
+  step.mean << motion.carpet_centre + kept, motion.radius, 0.0, 0.0, 0.0;
+  step.transition.setZero();
+  step.transition.topLeftCorner<2, 2>().setIdentity();
+  step.disturbance.setZero();
+  step.disturbance(3, 3) = step.disturbance(4, 4) = var;
+  step.lands = true;
+  return step;
+}
+
+BallStep step_kicked(const BallVector& mean,
+                     double dt,
+                     const Kick& kick,
+                     const BallMotion& motion) {
+  // Of a normal distribution's half beyond a line through its middle, in standard deviations.
+  constexpr double kMeanOfHalf = 0.79788456;  // sqrt(2 / pi)
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  velocity.head<2>() = kMeanOfHalf * motion.sigma_kick * kick.away;
+  const double var = motion.sigma_kick * motion.sigma_kick;
+  Eigen::Matrix3d spread = Eigen::Vector3d(var, var, 0.0).asDiagonal();
+  spread -= velocity * velocity.transpose();
+  if (kick.into == BallMode::kFlying) {
+    velocity.z() = motion.climb;
+    spread(2, 2) = motion.sigma_climb * motion.sigma_climb;
+  }
   BallStep step;
   step.transition.setZero();
   step.transition.topLeftCorner<3, 3>().setIdentity();
-  step.mean = mean;
-  step.mean.head<3>() -= 0.5 * dt * mean.tail<3>();
-  step.mean.tail<3>().setZero();
-  Eigen::Vector3d spread(motion.sigma_kick, motion.sigma_kick, 0.0);
-  if (into == BallMode::kFlying) {
-    step.mean(2) += 0.5 * dt * motion.climb;
-    step.mean(5) = motion.climb;
-    spread.z() = motion.sigma_climb;
-  }
-  const Eigen::Vector3d changed = spread.cwiseAbs2();
-  const Eigen::Vector3d lost = mean.tail<3>().cwiseAbs2();
-  step.disturbance.setZero();
-  step.disturbance.diagonal().head<3>() = dt * dt * (changed / 3.0 + lost / 12.0);
-  step.disturbance.diagonal().tail<3>() = changed;
-  step.disturbance.topRightCorner<3, 3>() = (0.5 * dt * changed).asDiagonal();
-  step.disturbance.bottomLeftCorner<3, 3>() = (0.5 * dt * changed).asDiagonal();
+  step.mean.head<3>() = mean.head<3>() + 0.5 * dt * (velocity - mean.tail<3>());
+  step.mean.tail<3>() = velocity;
+  const Eigen::Vector3d changed = mean.tail<3>() - velocity;
+  const Eigen::Matrix3d instant = changed.cwiseAbs2().asDiagonal();
+  step.disturbance << dt * dt * (spread / 3.0 + instant / 12.0), 0.5 * dt * spread,
+      0.5 * dt * spread, spread;
   return step;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -26,13 +27,20 @@ struct BallMotion {
   double speed_kept{0.8};     ///< of the horizontal speed at a bounce
   double bounce_doubt{0.15};  ///< of the speed: what a bounce does besides
   double least_climb{0.4};    ///< m/s: a bounce that leaves less ends on the floor
-  double kicks{0.7};          ///< per second, of a ball in reach of a foot; along the floor
-  double high_kicks{0.2};     ///< per second; into the air
-  double foot_reach{0.5};     ///< m above the floor
+  double kicks_at_foot{6.0};  ///< per second, of a ball that a robot touches
+  double kicks_alone{0.1};    ///< per second, of one that no known robot touches: walls, the unseen
+  double high_share{0.22};    ///< of all kicks; the others go along the floor
+  double foot_reach{0.25};    ///< m from a robot's body to the centre of a ball that it can kick
+  double foot_height{0.5};    ///< m: no foot reaches higher
   double sigma_kick{4.0};     ///< m/s per floor component, of the velocity after a kick
   double climb{3.0};          ///< m/s, of the vertical velocity after a high kick
   double sigma_climb{2.0};    ///< m/s
+  double fastest{12.0};       ///< m/s; no robot's kick is faster
   double sigma_floor{0.01};   ///< m, of the height of one that rolls
+  /// A ball that leaves the carpet is stopped there: by a wall, a net, a person.
+  Eigen::Vector2d carpet_centre{0.0, 0.0};  ///< in F; m
+  Eigen::Vector2d carpet_reach{1e3, 1e3};   ///< half its length and width; m
+  double sigma_stopped{1.0};                ///< m/s per floor component, of the velocity afterwards
 };
 
 /// One step of one mode: where the mean goes, how errors go, and what is added to them.
@@ -52,13 +60,27 @@ struct BallStep {
 /// Ballistic with drag; bounces where it would come through the floor.
 [[nodiscard]] BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion);
 
+/// One that has left the carpet: back on its edge, with next to no velocity.
+///
+/// @return nothing if it is on the carpet
+[[nodiscard]] std::optional<BallStep> step_stopped(const BallVector& mean,
+                                                   const BallMotion& motion);
+
+/// What a kick makes of a ball.
+struct Kick {
+  BallMode into{BallMode::kRolling};
+  /// Mean of the unit vector away from the foot, times the probability that a foot kicks; zero: a
+  /// kick into any direction. No robot kicks through its own body.
+  Eigen::Vector2d away{Eigen::Vector2d::Zero()};
+};
+
 /// A kick at an unknown instant of the last `dt`: the velocity afterwards says nothing of the one
 /// before, and how far it has led is as uncertain as when it began.
 ///
 /// @param mean  where the ball would be without it
 [[nodiscard]] BallStep step_kicked(const BallVector& mean,
                                    double dt,
-                                   BallMode into,
+                                   const Kick& kick,
                                    const BallMotion& motion);
 
 }  // namespace teamsight::fusion

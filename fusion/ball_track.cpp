@@ -19,8 +19,9 @@ class BallKind {
  public:
   using Track = BallTrack;
 
-  BallKind(const std::vector<BallRay>& rays, const Scene& scene, const BallSetting& setting)
-      : rays_(rays),
+  BallKind(const BallSightings& sightings, const Scene& scene, const BallSetting& setting)
+      : rays_(sightings.rays),
+        feet_(sightings.feet),
         glance_(scene.glance),
         errors_(scene.errors),
         setting_(setting) {
@@ -37,7 +38,8 @@ class BallKind {
     constexpr double kShortest = 0.02;  // s
     track.since_split += dt;
     if (track.since_split < kShortest) return;
-    split_off_kicks(track.beliefs, track.since_split, setting_.motion);
+    track.kick_rate = kick_rate(track.beliefs, feet_, setting_.motion);
+    split_off_kicks(track.beliefs, track.since_split, feet_, setting_.motion);
     track.since_split = 0.0;
   }
 
@@ -78,8 +80,8 @@ class BallKind {
       // Student's t with 5 degrees of freedom, up to what is alike in all possibilities.
       logs[i] =
           -0.5 * look.log_determinant - 0.5 * (5.0 + look.degrees) * std::log1p(look.squared / 5.0);
-      look.cov += (tail - 1.0) * look.view.cov;
-      take_view(belief.state, look.view, errors_, look.cov);
+      take_look(belief.state, look, tail, rays_[candidate.index]);
+      logs[i] -= too_fast(belief.state.mean);
       if (belief.mode == BallMode::kRolling) settle(belief.state);
     }
     const double best = *std::max_element(
@@ -137,6 +139,30 @@ class BallKind {
     return look;
   }
 
+  /// What speaks against a ball that is faster than any, as a log of probability.
+  [[nodiscard]] double too_fast(const BallVector& ball) const {
+    constexpr double kSigma = 1.0;  // m/s
+    const double beyond = std::max(0.0, ball.tail<3>().norm() - setting_.motion.fastest) / kSigma;
+    return 0.5 * beyond * beyond;
+  }
+
+  /// Takes a look in, its noise widened by the tail factor. A ray is no straight function of a
+  /// place: where the ball turns out to be far from where it was expected, the look is linearised
+  /// there.
+  void take_look(Considered<6>& state, Look look, double tail, const BallRay& ray) const {
+    constexpr double kStraight = 0.1;  // m
+    look.cov += (tail - 1.0) * look.view.cov;
+    const Considered<6> before = state;
+    take_view(state, look.view, errors_, look.cov);
+    const BallVector moved = state.mean - before.mean;
+    if (moved.head<3>().norm() < kStraight) return;
+    look.view = view_of_ball(state.mean, ray, observer_);
+    look.view.gap += look.view.slope * moved;
+    look.view.cov *= tail;
+    state = before;
+    take_view(state, look.view, errors_, gap_covariance(state, look.view, errors_));
+  }
+
   /// An observation moves no ball off the floor that rolls.
   void settle(Considered<6>& state) const {
     state.mean(2) = setting_.motion.radius;
@@ -179,6 +205,7 @@ class BallKind {
   }
 
   const std::vector<BallRay>& rays_;
+  const FeetList& feet_;
   const Glance& glance_;
   const TeamErrors& errors_;
   const BallSetting& setting_;
@@ -191,7 +218,7 @@ std::uint32_t take_in(BallList& tracks,
                       const BallSightings& sightings,
                       const Scene& scene,
                       const BallSetting& setting) {
-  const BallKind kind(sightings.rays, scene, setting);
+  const BallKind kind(sightings, scene, setting);
   return Turn<BallKind, BallList>(kind, tracks, sightings.candidates, scene, setting.track).take();
 }
 
@@ -207,7 +234,7 @@ BallMoments moments_at(const BallTrack& track, HostTime now, const BallMotion& m
   }
   BallMoments moments = moments_of(beliefs);
   // What has been seen is in the possibilities already; only the time since then is open.
-  doubt_kicks(moments, std::max(0.0, ahead), motion);
+  doubt_kicks(moments, std::max(0.0, ahead), track.kick_rate, motion);
   return moments;
 }
 

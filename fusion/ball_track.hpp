@@ -13,6 +13,7 @@ struct BallTrack {
   TrackBook book;
   BallBeliefs beliefs;
   double since_split{0.0};  ///< s: since kicks were last thought of
+  double kick_rate{0.0};    ///< kicks per second that were then to be expected
 };
 
 inline constexpr std::size_t kMaxBallTracks = 6;
@@ -28,6 +29,7 @@ struct BallSetting {
 struct BallSightings {
   const CandidateList& candidates;  ///< where they meet the floor; `index` says which ray it is
   const std::vector<BallRay>& rays;
+  const FeetList& feet;  ///< who may kick it
 };
 
 /// Takes all ball rays that one frame shows into the tracks, see fusion/turn.hpp. A bank of

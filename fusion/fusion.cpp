@@ -58,10 +58,8 @@ TrackReport report_of(const TrackBook& book, HostTime now, Duration window) {
 
 NamedTracks named(const BallList& balls, HostTime at, const Parameters& parameters) {
   NamedTracks tracks;
-  BallMotion motion = parameters.ball_motion;
-  motion.radius = parameters.ball_radius;
   for (const BallTrack& track : balls) {
-    const BallMoments moments = moments_at(track, at, motion);
+    const BallMoments moments = moments_at(track, at, parameters.ball_motion);
     tracks.push_back({track.book.key,
                       track.book.is_confirmed,
                       std::max(at, track.book.time),
@@ -94,6 +92,11 @@ bool contains(const List& tracks, std::uint32_t key) {
 
 Fusion::Fusion(const Parameters& parameters, const FieldModel& field)
     : setting_{parameters, field} {
+  BallMotion& motion = setting_.parameters.ball_motion;
+  const double beyond = field.surround + parameters.carpet_margin;
+  motion.radius = parameters.ball_radius;
+  motion.carpet_centre = field.centre.vector();
+  motion.carpet_reach << 0.5 * field.length + beyond, 0.5 * field.width + beyond;
   slots_.reserve(kMaxHeld);
   order_.reserve(kMaxHeld);
   spare_.reserve(kMaxHeld);

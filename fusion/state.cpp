@@ -100,6 +100,34 @@ CandidateList without(const CandidateList& candidates, const MateSightings& mate
   return others;
 }
 
+/// Mean variance of a place's two coordinates; m^2.
+double variance_of(const Eigen::Matrix2d& cov) {
+  return 0.5 * cov.trace();
+}
+
+/// Where the robots stand that may kick a ball: teammates that are believed, and obstacles.
+FeetList feet_at(const State& state, HostTime exposure, const Parameters& parameters) {
+  FeetList feet;
+  for (const Teammate& teammate : state.teammates) {
+    if (teammate.posture.time == kNever ||
+        exposure - teammate.seen > parameters.teammate.forget_age ||
+        quarantine_at(state, teammate, exposure, parameters) != Quarantine::kNone) {
+      continue;
+    }
+    const auto carried = carried_to(teammate.posture, exposure, parameters.teammate);
+    feet.push_back({carried.X_FR.origin().vector(),
+                    variance_of(carried.cov.topLeftCorner<2, 2>()),
+                    parameters.robot_radius});
+  }
+  for (const Track& track : state.obstacles) {
+    if (!track.book.is_confirmed) continue;
+    const PlanarMoments moments = moments_at(track, exposure, parameters.obstacle);
+    feet.push_back(
+        {moments.mean.head<2>(), variance_of(moments.cov.topLeftCorner<2, 2>()), track.radius});
+  }
+  return feet;
+}
+
 /// Takes what the frame shows into teammates' errors and the tracks.
 ///
 /// @return how many balls and obstacles were used
@@ -113,11 +141,11 @@ std::size_t take_sighted(State& state,
   learn_from_teammates(state, sighted.obstacles, mates, glance, parameters);
   const CandidateList obstacles = without(sighted.obstacles, mates);
   const Scene scene{glance, state.errors, sighted.obstacles};
-  BallSetting ball{parameters.ball_motion, parameters.ball};
-  ball.motion.radius = parameters.ball_radius;
+  const BallSetting ball{parameters.ball_motion, parameters.ball};
+  const FeetList feet = feet_at(state, observation.exposure, parameters);
   const BallKeys known = confirmed_keys(state.balls);
   const std::uint32_t unused =
-      take_in(state.balls, {sighted.balls, observation.balls}, scene, ball) +
+      take_in(state.balls, {sighted.balls, observation.balls, feet}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
   state.lost_ball = recognise(state.balls, known, state.lost_ball);
   return sighted.balls.size() + sighted.obstacles.size() - unused;

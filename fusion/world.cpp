@@ -10,18 +10,12 @@
 namespace teamsight::fusion {
 namespace {
 
-BallMotion ball_motion_of(const Parameters& parameters) {
-  BallMotion motion = parameters.ball_motion;
-  motion.radius = parameters.ball_radius;
-  return motion;
-}
-
 Duration age_of(HostTime then, HostTime now) {
   return std::max(Duration{0}, now - then);
 }
 
 WorldBall world_ball(const BallTrack& track, HostTime now, const Parameters& parameters) {
-  const BallMoments moments = moments_at(track, now, ball_motion_of(parameters));
+  const BallMoments moments = moments_at(track, now, parameters.ball_motion);
   const TrackBook& book = track.book;
   WorldBall ball;
   ball.track = book.key;
@@ -95,9 +89,10 @@ WorldTeammate world_teammate(const State& state,
   return teammate;
 }
 
-bool is_placed(const Eigen::Matrix2d& cov, const TrackParameters& parameters) {
+/// @param sigma  the most, m, of the larger semi-axis
+bool is_placed(const Eigen::Matrix2d& cov, double sigma) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(cov, Eigen::EigenvaluesOnly);
-  return axes.eigenvalues().maxCoeff() <= std::pow(parameters.max_sigma_published, 2);
+  return axes.eigenvalues().maxCoeff() <= sigma * sigma;
 }
 
 bool is_listed(const TrackBook& book, HostTime now, const TrackParameters& parameters) {
@@ -114,6 +109,17 @@ void keep_most_probable(List& list, std::size_t count) {
   if (list.size() > count) list.resize(count);
 }
 
+/// How many robots that watch now it outweighs that a ball has been watched before and must still
+/// lie or roll where it is thought: one that is hidden does not give way to what a single robot has
+/// just begun to see.
+double standing_of(const TrackBook& book, const WorldBall& ball) {
+  constexpr Duration kProven = std::chrono::milliseconds(1500);
+  constexpr double kKnown = 0.5;  // m; beyond that a kick may have led it anywhere
+  const bool is_proven = book.last_hit - book.born >= kProven ||
+                         std::popcount(robots_within(book.supported, book.last_hit, kProven)) > 1;
+  return is_proven && is_placed(ball.cov_p.topLeftCorner<2, 2>(), kKnown) ? 1.5 : 0.0;
+}
+
 /// The ball that most robots see now comes first, then the most probable: a robot that is alone
 /// with what it sees is more often wrong than all others. An operator's hint counts as so many
 /// robots.
@@ -128,10 +134,10 @@ std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parame
   for (const BallTrack& track : state.balls) {
     if (!is_listed(track.book, now, parameters.ball)) continue;
     const WorldBall ball = world_ball(track, now, parameters);
-    if (!is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball)) continue;
+    if (!is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball.max_sigma_published)) continue;
     const int robots = std::popcount(robots_within(track.book.supported, now, kNow));
     const double hint = weight_of(state.hinted, track.book.key, now, parameters.hint);
-    ranked.push_back({ball, robots + hint});
+    ranked.push_back({ball, robots + hint + standing_of(track.book, ball)});
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
     return a.watchers != b.watchers ? a.watchers > b.watchers : a.ball.existence > b.ball.existence;
@@ -158,7 +164,8 @@ WorldModel world_of(const State& state, HostTime now, const Parameters& paramete
   for (const Track& track : state.obstacles) {
     if (!is_listed(track.book, now, parameters.obstacle)) continue;
     const WorldObstacle obstacle = world_obstacle(track, now, parameters);
-    if (is_placed(obstacle.cov_p, parameters.obstacle)) world.obstacles.push_back(obstacle);
+    if (is_placed(obstacle.cov_p, parameters.obstacle.max_sigma_published))
+      world.obstacles.push_back(obstacle);
   }
   for (const Teammate& teammate : state.teammates) {
     if (now - teammate.seen <= parameters.teammate.forget_age) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStep = 0.02;  // s
 const BallMotion kMotion;
+const FeetList kNobodyNear;
 
 BallBeliefs rolling_ball() {
   BallBelief belief;
@@ -32,7 +33,7 @@ double total(const BallBeliefs& beliefs) {
 TEST(BallBeliefs, AKickLeavesTheBallThatRollsAsSharpAsItWas) {
   BallBeliefs beliefs = rolling_ball();
 
-  split_off_kicks(beliefs, kStep, kMotion);
+  split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
 
   ASSERT_EQ(beliefs.size(), 3U);
   EXPECT_EQ(beliefs[0].state.cov, rolling_ball()[0].state.cov);
@@ -46,13 +47,58 @@ TEST(BallBeliefs, StayOneProbabilityHoweverLongNobodySeesTheBall) {
 
   for (int i = 0; i < 100; ++i) {
     advance(beliefs, kStep, kMotion);
-    split_off_kicks(beliefs, kStep, kMotion);
+    split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
     ASSERT_NEAR(total(beliefs), 1.0, 1e-9) << i;
   }
 
   // It has rolled on for two seconds, less what friction took; a kick may have led anywhere.
   EXPECT_NEAR(moments_of(beliefs).mean.x(), 6.1, 0.7);
   EXPECT_GT(moments_of(beliefs).cov(0, 0), 1.0);
+}
+
+/// A robot behind the ball: the ball rolls along x.
+FeetList foot_at(double behind) {
+  FeetList feet;
+  feet.push_back({{5.0 - behind, 2.0}, 1e-4, 0.25});
+  return feet;
+}
+
+TEST(BallBeliefs, ABallIsKickedByWhoTouchesIt) {
+  const BallBeliefs beliefs = rolling_ball();
+
+  EXPECT_NEAR(kick_rate(beliefs, foot_at(0.2), kMotion), kMotion.kicks_at_foot, 0.1);
+  EXPECT_NEAR(kick_rate(beliefs, foot_at(2.0), kMotion), kMotion.kicks_alone, 1e-6);
+  EXPECT_EQ(kick_rate(beliefs, kNobodyNear, kMotion), kMotion.kicks_alone);
+}
+
+TEST(BallBeliefs, AKickLeadsAwayFromTheFoot) {
+  BallBeliefs beliefs = rolling_ball();
+
+  split_off_kicks(beliefs, kStep, foot_at(0.4), kMotion);
+
+  ASSERT_EQ(beliefs.size(), 3U);
+  EXPECT_GT(beliefs[1].state.mean(3), 0.5 * kMotion.sigma_kick);
+  EXPECT_NEAR(beliefs[1].state.mean(4), 0.0, 1e-9);
+}
+
+TEST(BallBeliefs, ABallOverEverybodysHeadIsNotKicked) {
+  BallBeliefs beliefs = rolling_ball();
+  beliefs[0].mode = BallMode::kFlying;
+  beliefs[0].state.mean(2) = 1.0;
+
+  split_off_kicks(beliefs, kStep, foot_at(0.2), kMotion);
+
+  EXPECT_EQ(beliefs.size(), 1U);
+}
+
+TEST(BallBeliefs, WhatNobodyHasSeenYetMayBeAKickIntoTheAir) {
+  BallMoments moments = moments_of(rolling_ball());
+  const double before = moments.cov(5, 5);
+
+  doubt_kicks(moments, 0.05, kMotion.kicks_at_foot, kMotion);
+
+  EXPECT_GT(moments.cov(5, 5), before + 0.5);
+  EXPECT_GT(moments.cov(3, 3), 1.0);
 }
 
 TEST(BallBeliefs, AlikeOnesBecomeOneWithTheirCommonMoments) {

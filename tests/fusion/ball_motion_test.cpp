@@ -61,14 +61,46 @@ TEST(FlyingBall, RollsWhenABounceLeavesNothing) {
 }
 
 TEST(KickedBall, HasAnyVelocityFromAnInstantWithinTheStep) {
-  const BallStep kick =
-      step_kicked(moving(kMotion.radius, 2.0, 0.0), kStep, BallMode::kRolling, kMotion);
+  const BallStep kick = step_kicked(moving(kMotion.radius, 2.0, 0.0), kStep, Kick{}, kMotion);
 
   const double changed = kMotion.sigma_kick * kMotion.sigma_kick;
   EXPECT_EQ(kick.mean(3), 0.0);
   EXPECT_NEAR(kick.mean(0), -0.5 * kStep * 2.0, 1e-12);
   EXPECT_NEAR(kick.disturbance(3, 3), changed, 1e-12);
   EXPECT_NEAR(kick.disturbance(0, 0), kStep * kStep * (changed / 3.0 + 4.0 / 12.0), 1e-12);
+}
+
+TEST(KickedBall, GoesAwayFromTheFootThatKicksIt) {
+  const Eigen::Vector2d away(0.0, 1.0);
+
+  const BallStep kick =
+      step_kicked(moving(kMotion.radius, 0.0, 0.0), kStep, {BallMode::kRolling, away}, kMotion);
+
+  // Half of a normal distribution: its mean, and what is left of its variance.
+  const double var = kMotion.sigma_kick * kMotion.sigma_kick;
+  EXPECT_EQ(kick.mean(3), 0.0);
+  EXPECT_NEAR(kick.mean(4), 0.798 * kMotion.sigma_kick, 0.01);
+  EXPECT_NEAR(kick.disturbance(3, 3), var, 1e-9);
+  EXPECT_NEAR(kick.disturbance(4, 4), 0.363 * var, 0.01);
+}
+
+TEST(BallThatLeavesTheCarpet, IsStoppedAtItsEdge) {
+  BallMotion motion = kMotion;
+  motion.carpet_centre << 0.0, 1.0;
+  motion.carpet_reach << 12.0, 8.0;
+  BallVector ball = moving(1.5, 6.0, 2.0);
+  ASSERT_FALSE(step_stopped(ball, motion).has_value());
+  ball(0) = 12.4;
+
+  const auto stopped = step_stopped(ball, motion);
+
+  ASSERT_TRUE(stopped.has_value());
+  EXPECT_EQ(stopped->mean(0), 12.0);
+  EXPECT_EQ(stopped->mean(1), 0.0);
+  EXPECT_EQ(stopped->mean(2), motion.radius);
+  EXPECT_EQ(stopped->mean(3), 0.0);
+  EXPECT_GT(stopped->disturbance(3, 3), 0.5);
+  EXPECT_TRUE(stopped->lands);
 }
 
 }  // namespace

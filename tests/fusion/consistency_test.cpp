@@ -95,7 +95,7 @@ WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& repo
   const test::EyeNoise noise{0.004, 0.05, 0.02, 0.005};
   Eye eyes[] = {{1, 11, noise}, {2, 22, noise}, {3, 33, noise}};
   Parameters parameters;
-  parameters.ball_motion.kicks = parameters.ball_motion.high_kicks = 1e-6;  // nobody kicks here
+  parameters.ball_motion.kicks_at_foot = parameters.ball_motion.kicks_alone = 1e-6;
   Fusion fusion(parameters, test::plain_field());
   ball.v_F << normal(random, 1.5), normal(random, 1.5);
   opponent.p_F << -0.5, 1.5;

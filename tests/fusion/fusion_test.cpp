@@ -185,6 +185,22 @@ TEST(Fusion, ABallSeenBesideAKnownOneIsAnother) {
   EXPECT_TRUE(both.balls[0].track == track || both.balls[1].track == track);
 }
 
+TEST(Fusion, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsToSee) {
+  Fusion fusion{Parameters{}, test::plain_field()};
+  Eye left(1, 11);
+  Eye right(4, 44);
+  watch(fusion, left, kLeftOfBall, 0.0, 2.0, see_the_ball);
+  ASSERT_FALSE(fusion.world_at(at_second(2.0)).balls.empty());
+  const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls[0].track;
+
+  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
+  watch(fusion, right, far_away, 2.0, 2.4, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+
+  const WorldModel world = fusion.world_at(at_second(2.4));
+  ASSERT_EQ(world.balls.size(), 2U);
+  EXPECT_EQ(world.balls[0].track, ball);
+}
+
 TEST(Fusion, DoesNotMissABallBehindAnObstacle) {
   Fusion hidden = make_fusion();
   Fusion open = make_fusion();
