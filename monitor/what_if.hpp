@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "bus/leader_clock.hpp"
 #include "bus/messages.hpp"
 #include "bus/reader.hpp"
 #include "fusion/fusion.hpp"
@@ -15,8 +16,7 @@ namespace teamsight::monitor {
 /// A fusion of the station's own that leaves one robot's observations out, while somebody asks.
 ///
 /// It begins with what comes after it was asked, so trust in robots takes some seconds to grow. It
-/// works in the leading fusion's time, whose clocks of the robots the Explanation tells; a robot
-/// that is not in there is taken to have the leader's clock where its stamps allow that.
+/// works in the leading fusion's time (bus/leader_clock.hpp).
 class WhatIf {
  public:
   WhatIf(const fusion::Parameters& parameters, const FieldModel& field);
@@ -32,16 +32,12 @@ class WhatIf {
   [[nodiscard]] std::optional<WorldWithout> at(HostTime now);
 
  private:
-  [[nodiscard]] HostTime leaders_time(HostTime now) const { return now + leader_minus_host_; }
-
   fusion::Fusion fresh_;
   std::optional<fusion::Fusion> fusion_;  ///< nothing: nobody asks
   RobotId robot_{kNobody};
   HostTime until_;
-  bool has_leader_{false};
-  Duration leader_minus_host_{0};
+  bus::LeaderClock clock_;
   HostTime newest_;  ///< the leader's time never goes back
-  std::optional<bus::Explanation> clocks_;
 };
 
 }  // namespace teamsight::monitor

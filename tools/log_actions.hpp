@@ -24,6 +24,9 @@ struct LogSelection {
 [[nodiscard]] recording::TimeSpan span_of(const LogSelection& selection,
                                           const recording::Contents& contents);
 
+/// The recording's clock minus that of the computer that recorded, 0 if it does not say; ns.
+[[nodiscard]] std::int64_t log_minus_host_of(const recording::Contents& contents);
+
 /// Whether a topic is selected.
 [[nodiscard]] bool is_selected(const LogSelection& selection, const std::string& topic);
 

@@ -1,6 +1,7 @@
 // tools/log_info.cpp: `teamsight log info`, and which part of a recording is meant.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
@@ -34,6 +35,14 @@ nlohmann::ordered_json describe(const std::filesystem::path& file,
 }
 
 }  // namespace
+
+std::int64_t log_minus_host_of(const recording::Contents& contents) {
+  const auto facts = contents.metadata.find("teamsight.recording");
+  if (facts == contents.metadata.end()) return 0;
+  const auto offset = facts->second.find("log_minus_host_ns");
+  if (offset == facts->second.end()) return 0;
+  return std::strtoll(offset->second.c_str(), nullptr, 10);
+}
 
 recording::TimeSpan span_of(const LogSelection& selection, const recording::Contents& contents) {
   recording::TimeSpan span;

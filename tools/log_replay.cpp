@@ -73,14 +73,6 @@ std::map<std::string, Put, std::less<>> writers(const bus::Participant& particip
   return puts;
 }
 
-std::int64_t log_minus_host_of(const recording::Contents& contents) {
-  const auto facts = contents.metadata.find("teamsight.recording");
-  if (facts == contents.metadata.end()) return 0;
-  const auto offset = facts->second.find("log_minus_host_ns");
-  if (offset == facts->second.end()) return 0;
-  return std::strtoll(offset->second.c_str(), nullptr, 10);
-}
-
 /// @return whether the wait was not ended by a stop
 bool wait_until(HostTime due, const bus::Loop& loop) {
   for (HostTime now = bus::host_now(); now < due && loop.keeps_running(); now = bus::host_now()) {

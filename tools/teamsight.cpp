@@ -7,6 +7,7 @@
 #include "tools/detect_command.hpp"
 #include "tools/doctor_command.hpp"
 #include "tools/echo_command.hpp"
+#include "tools/fuse_command.hpp"
 #include "tools/keys_command.hpp"
 #include "tools/locate_command.hpp"
 #include "tools/log_command.hpp"
@@ -22,6 +23,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   teamsight::tools::add_detect_command(app, exit_code);
   teamsight::tools::add_doctor_command(app, exit_code);
   teamsight::tools::add_echo_command(app, exit_code);
+  teamsight::tools::add_fuse_command(app, exit_code);
   teamsight::tools::add_keys_command(app, exit_code);
   teamsight::tools::add_locate_command(app, exit_code);
   teamsight::tools::add_log_command(app, exit_code);
