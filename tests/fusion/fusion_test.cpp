@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fusion/scenario.hpp"
+#include "tests/fusion/watch.hpp"
 
 namespace teamsight::fusion {
 namespace {
@@ -13,6 +14,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test::at_second;
 using test::Eye;
+using test::watch;
 
 const Pose<Field, Robot> kLeftOfBall(-2.0, 0.0, 0.0);
 const Pose<Field, Robot> kRightOfBall(3.0, 1.0, 2.0);
@@ -20,17 +22,6 @@ const Point<Field> kBall{1.0, 0.5};
 
 Fusion make_fusion() {
   return Fusion(Parameters{}, test::plain_field());
-}
-
-/// One frame every 33 ms in [from, to); `see` adds what is seen.
-template <class See>
-void watch(
-    Fusion& fusion, Eye& eye, const Pose<Field, Robot>& X_FR, double from, double to, See see) {
-  for (double t = from; t < to; t += 0.033) {
-    eye.look(X_FR, at_second(t));
-    see(eye);
-    EXPECT_EQ(fusion.insert(eye.frame(), at_second(t + 0.01)), Intake::kAccepted);
-  }
 }
 
 void see_the_ball(Eye& eye) {
@@ -118,87 +109,6 @@ TEST(Fusion, ABallWithoutAnyObserverAgesAndLeaves) {
   EXPECT_GT(old.cov_p(0, 0), young.cov_p(0, 0));
   EXPECT_EQ(old.supporters, 0);
   EXPECT_TRUE(fusion.world_at(at_second(5.0)).balls.empty());
-}
-
-TEST(Fusion, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
-  Parameters parameters;
-  parameters.ball.max_sigma_published = 0.5;
-  parameters.ball.death_age = seconds(60);
-  Fusion fusion(parameters, test::plain_field());
-  Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
-  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
-
-  const WorldModel unseen = fusion.world_at(at_second(3.0));
-  watch(fusion, eye, kLeftOfBall, 3.0, 3.1, see_the_ball);
-  const WorldModel seen_again = fusion.world_at(at_second(3.1));
-
-  EXPECT_TRUE(unseen.balls.empty());
-  ASSERT_EQ(seen_again.balls.size(), 1U);
-  EXPECT_EQ(seen_again.balls[0].track, track);
-}
-
-TEST(Fusion, FindsALostBallAgainUnderItsIdWhereverItIs) {
-  Fusion fusion = make_fusion();
-  Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
-  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
-
-  watch(fusion, eye, kLeftOfBall, 1.0, 8.0, [](Eye&) {});
-  const WorldModel lost = fusion.world_at(at_second(8.0));
-  watch(fusion, eye, kLeftOfBall, 8.0, 8.3, [](Eye& e) { e.see_ball({-1.0, -1.5}); });
-  const WorldModel found = fusion.world_at(at_second(8.3));
-
-  EXPECT_TRUE(lost.balls.empty());
-  ASSERT_EQ(found.balls.size(), 1U);
-  EXPECT_EQ(found.balls[0].track, track);
-}
-
-TEST(Fusion, ABallThatMayBeAnywhereIsTheOneThatIsFoundWithinItsReach) {
-  Fusion fusion = make_fusion();
-  Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
-  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
-
-  watch(fusion, eye, kLeftOfBall, 3.0, 3.3, [](Eye& e) { e.see_ball({0.0, -0.5}); });
-  const WorldModel found = fusion.world_at(at_second(3.3));
-
-  ASSERT_EQ(found.balls.size(), 1U);
-  EXPECT_EQ(found.balls[0].track, track);
-  EXPECT_NEAR(found.balls[0].p_FB.x, 0.0, 0.1);
-}
-
-TEST(Fusion, ABallSeenBesideAKnownOneIsAnother) {
-  Fusion fusion = make_fusion();
-  Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
-  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
-
-  watch(fusion, eye, kLeftOfBall, 1.0, 1.5, [](Eye& e) {
-    e.see_ball(kBall);
-    e.see_ball({-1.0, -1.5});
-  });
-  const WorldModel both = fusion.world_at(at_second(1.5));
-
-  ASSERT_EQ(both.balls.size(), 2U);
-  EXPECT_NE(both.balls[0].track, both.balls[1].track);
-  EXPECT_TRUE(both.balls[0].track == track || both.balls[1].track == track);
-}
-
-TEST(Fusion, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsToSee) {
-  Fusion fusion{Parameters{}, test::plain_field()};
-  Eye left(1, 11);
-  Eye right(4, 44);
-  watch(fusion, left, kLeftOfBall, 0.0, 2.0, see_the_ball);
-  ASSERT_FALSE(fusion.world_at(at_second(2.0)).balls.empty());
-  const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls[0].track;
-
-  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
-  watch(fusion, right, far_away, 2.0, 2.4, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
-
-  const WorldModel world = fusion.world_at(at_second(2.4));
-  ASSERT_EQ(world.balls.size(), 2U);
-  EXPECT_EQ(world.balls[0].track, ball);
 }
 
 TEST(Fusion, DoesNotMissABallBehindAnObstacle) {

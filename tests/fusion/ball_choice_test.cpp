@@ -1,0 +1,128 @@
+// tests/fusion/ball_choice_test.cpp: which ball of now is the ball of before, and which one comes
+// first.
+#include <gtest/gtest.h>
+
+#include "fusion/fusion.hpp"
+#include "tests/fusion/scenario.hpp"
+#include "tests/fusion/watch.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+using std::chrono::seconds;
+using test::at_second;
+using test::Eye;
+using test::watch;
+
+const Pose<Field, Robot> kLeftOfBall(-2.0, 0.0, 0.0);
+const Pose<Field, Robot> kRightOfBall(3.0, 1.0, 2.0);
+const Point<Field> kBall{1.0, 0.5};
+
+Fusion make_fusion() {
+  return Fusion(Parameters{}, test::plain_field());
+}
+
+void see_the_ball(Eye& eye) {
+  eye.see_ball(kBall);
+}
+
+TEST(BallChoice, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
+  Parameters parameters;
+  parameters.ball.max_sigma_published = 0.5;
+  parameters.ball.death_age = seconds(60);
+  Fusion fusion(parameters, test::plain_field());
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  const WorldModel unseen = fusion.world_at(at_second(3.0));
+  watch(fusion, eye, kLeftOfBall, 3.0, 3.1, see_the_ball);
+  const WorldModel seen_again = fusion.world_at(at_second(3.1));
+
+  EXPECT_TRUE(unseen.balls.empty());
+  ASSERT_EQ(seen_again.balls.size(), 1U);
+  EXPECT_EQ(seen_again.balls[0].track, track);
+}
+
+TEST(BallChoice, FindsALostBallAgainUnderItsIdWhereverItIs) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 1.0, 8.0, [](Eye&) {});
+  const WorldModel lost = fusion.world_at(at_second(8.0));
+  watch(fusion, eye, kLeftOfBall, 8.0, 8.3, [](Eye& e) { e.see_ball({-1.0, -1.5}); });
+  const WorldModel found = fusion.world_at(at_second(8.3));
+
+  EXPECT_TRUE(lost.balls.empty());
+  ASSERT_EQ(found.balls.size(), 1U);
+  EXPECT_EQ(found.balls[0].track, track);
+}
+
+TEST(BallChoice, ABallThatMayBeAnywhereIsTheOneThatIsFoundWithinItsReach) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 3.0, 3.3, [](Eye& e) { e.see_ball({0.0, -0.5}); });
+  const WorldModel found = fusion.world_at(at_second(3.3));
+
+  ASSERT_EQ(found.balls.size(), 1U);
+  EXPECT_EQ(found.balls[0].track, track);
+  EXPECT_NEAR(found.balls[0].p_FB.x, 0.0, 0.1);
+}
+
+TEST(BallChoice, ABallSeenBesideAKnownOneIsAnother) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  watch(fusion, eye, kLeftOfBall, 1.0, 1.5, [](Eye& e) {
+    e.see_ball(kBall);
+    e.see_ball({-1.0, -1.5});
+  });
+  const WorldModel both = fusion.world_at(at_second(1.5));
+
+  ASSERT_EQ(both.balls.size(), 2U);
+  EXPECT_NE(both.balls[0].track, both.balls[1].track);
+  EXPECT_TRUE(both.balls[0].track == track || both.balls[1].track == track);
+}
+
+TEST(BallChoice, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsToSee) {
+  Fusion fusion{Parameters{}, test::plain_field()};
+  Eye left(1, 11);
+  Eye right(4, 44);
+  watch(fusion, left, kLeftOfBall, 0.0, 2.0, see_the_ball);
+  ASSERT_FALSE(fusion.world_at(at_second(2.0)).balls.empty());
+  const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls[0].track;
+
+  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
+  watch(fusion, right, far_away, 2.0, 2.4, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+
+  const WorldModel world = fusion.world_at(at_second(2.4));
+  ASSERT_EQ(world.balls.size(), 2U);
+  EXPECT_EQ(world.balls[0].track, ball);
+}
+
+TEST(BallChoice, WhatOneRobotSeesWhereNoKickCanHaveLedComesSecond) {
+  Fusion fusion = make_fusion();
+  Eye left(1, 11);
+  Eye right(4, 44);
+  // At its foot: a kick that nobody has seen may have led the ball anywhere near.
+  watch(fusion, left, {0.6, 0.5, 0.0}, 0.0, 2.0, see_the_ball);
+  const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls.at(0).track;
+
+  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
+  watch(fusion, right, far_away, 2.0, 2.3, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+
+  const WorldModel world = fusion.world_at(at_second(2.3));
+  ASSERT_EQ(world.balls.size(), 2U);
+  EXPECT_GT(world.balls[0].cov_p(0, 0), 0.25);
+  EXPECT_EQ(world.balls[0].track, ball);
+}
+
+}  // namespace
+}  // namespace teamsight::fusion

@@ -1,0 +1,24 @@
+// tests/fusion/watch.hpp: a robot that looks for a while.
+#pragma once
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "fusion/fusion.hpp"
+#include "tests/fusion/scenario.hpp"
+
+namespace teamsight::fusion::test {
+
+/// One frame every 33 ms in [from, to); `see` adds what is seen.
+template <class See>
+void watch(
+    Fusion& fusion, Eye& eye, const Pose<Field, Robot>& X_FR, double from, double to, See see) {
+  for (double t = from; t < to; t += 0.033) {
+    eye.look(X_FR, at_second(t));
+    see(eye);
+    EXPECT_EQ(fusion.insert(eye.frame(), at_second(t + 0.01)), Intake::kAccepted);
+  }
+}
+
+}  // namespace teamsight::fusion::test
