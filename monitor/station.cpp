@@ -20,6 +20,7 @@ constexpr const char* kOtherVersion =
 constexpr Duration kShown = std::chrono::seconds(2);
 
 constexpr std::string_view kAgentPrefix = "agent/";
+constexpr std::string_view kStation = "monitor";
 
 std::string robot_name(RobotId robot) {
   return "Robot " + std::to_string(static_cast<unsigned>(robot));
@@ -247,9 +248,21 @@ void Station::hear(const bus::Sample<bus::Explanation>& sample) {
   }
 }
 
+/// Nobody hears his own Diagnostics, so those of a station are another's.
+void Station::note_other_station(HostTime now) {
+  const HostTime before = std::exchange(other_station_heard_, now);
+  const bool is_known = before != HostTime{} && now - before < parameters_.other_station_gone_after;
+  if (is_known) return;
+  note(now,
+       Level::kWarning,
+       "Another coach station is on " + parameters_.where +
+           ": both may give orders, and the newest counts");
+}
+
 void Station::hear(const bus::Sample<bus::Diagnostics>& sample) {
   if (!sample.message) return;
   const bus::Diagnostics& diagnostics = *sample.message;
+  if (diagnostics.process == kStation) note_other_station(sample.received);
   const auto known = processes_.find(diagnostics.process);
   if (known == processes_.end() && processes_.size() == kMaxProcesses) return;
   const bool was_healthy = known == processes_.end() || known->second.healthy;

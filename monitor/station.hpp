@@ -25,7 +25,8 @@ struct StationParameters {
   /// lease, so that a busy computer's hiccup shows in the table but does not fill the log.
   Duration silent_after{std::chrono::milliseconds(600)};
   Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
-  Duration duplicate_for{std::chrono::seconds(2)};     ///< how long a shared robot id is remembered
+  Duration other_station_gone_after{std::chrono::seconds(5)};  ///< of one that says nothing
+  Duration duplicate_for{std::chrono::seconds(2)};  ///< how long a shared robot id is remembered
   std::string
       version;        ///< of this station; a robot that runs another is named. Empty: not compared
   std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
@@ -105,6 +106,7 @@ class Station {
   void note_camera(RobotId robot, Watch& watch, bool is_lost, HostTime now);
   void note_version(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   [[nodiscard]] bool is_other_version(const bus::RobotState& state) const;
+  void note_other_station(HostTime now);
   void note_hint(const bus::ExplainedHint& hint, HostTime now);
   [[nodiscard]] std::optional<bus::ExplainedHint> hint_at(HostTime now) const;
   void note_quarantines(const WorldModel& world, HostTime now);
@@ -125,6 +127,7 @@ class Station {
   std::map<std::string, std::uint64_t, std::less<>> rejected_;
   std::vector<bus::Thumbnail> thumbnails_;
   std::string other_versions_;  ///< e.g. "v2"; empty: none
+  HostTime other_station_heard_;
   std::vector<Event> events_;
 };
 

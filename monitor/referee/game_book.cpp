@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
@@ -52,6 +53,13 @@ constexpr std::array<std::string_view, 10> kNoted{"TESTMODE_ON",
                                                   "SUBSTITUTION",
                                                   "IS_ALIVE",
                                                   "END_PART"};
+
+// The wire's ages end at 65.5 s; beyond this all are the same.
+constexpr Duration kOldest = std::chrono::seconds(65);
+// Commands closer than this are of the same time: the way over the bus counts as age.
+constexpr Duration kSameTime = std::chrono::milliseconds(100);
+// Three times lost, and the other station with the box is gone.
+constexpr Duration kOtherGone = std::chrono::seconds(4);
 
 std::uint8_t counted(std::uint8_t goals, int change) {
   return static_cast<std::uint8_t>(std::clamp(goals + change, 0, 99));
@@ -125,7 +133,37 @@ std::string GameBook::apply(const BoxCommand& command, HostTime now) {
   if (!is_known) return "unknown command " + command.name;
   last_command_ = said;
   command_at_ = now;
+  speaks_ = true;
+  follows_ = false;
   return said;
+}
+
+void GameBook::set_connected(bool is_connected) {
+  state_.box_connected = is_connected;
+  // Who was never connected has no news of that.
+  speaks_ = speaks_ || is_connected;
+  follows_ = follows_ && !is_connected;
+}
+
+bool GameBook::other_has_box(HostTime now) const {
+  return other_box_heard_ != HostTime{} && now - other_box_heard_ < kOtherGone;
+}
+
+bool GameBook::hear(const bus::GameState& other, std::uint32_t own_boot, HostTime now) {
+  other_box_heard_ = other.box_connected ? now : HostTime{};
+  if (state_.box_connected) return false;
+  if (speaks_ && !other.box_connected) {
+    const Duration own_age = std::min(now - command_at_, kOldest);
+    const Duration lead = own_age - std::min(other.command_age, kOldest);
+    const bool is_same = lead < kSameTime && lead > -kSameTime;
+    if (is_same ? other.id.boot < own_boot : lead < Duration{0}) return false;
+  }
+  state_ = other;
+  state_.box_connected = false;
+  command_at_ = now - other.command_age;
+  last_command_ = "told by another station";
+  speaks_ = false;
+  return !std::exchange(follows_, true);
 }
 
 bus::GameState GameBook::state(HostTime now) const {

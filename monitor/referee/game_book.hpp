@@ -1,6 +1,7 @@
 // monitor/referee/game_book.hpp: the referee box's commands kept as the state of the game.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "bus/messages.hpp"
@@ -10,6 +11,9 @@
 namespace teamsight::monitor {
 
 /// Applies commands, of the box or of the operator, one after the other.
+///
+/// Of several stations one tells the robots: whoever has the box, else whoever gave the newest
+/// command. The others follow it and keep quiet, so that nobody's ignorance stops a game.
 class GameBook {
  public:
   /// @param own_address  our multicast address, e.g. "224.16.32.63"; empty: WELCOME tells it
@@ -22,7 +26,19 @@ class GameBook {
   /// What one command changed, for the log; says so when it is unknown, which changes nothing.
   std::string apply(const BoxCommand& command, HostTime now);
 
-  void set_connected(bool is_connected) { state_.box_connected = is_connected; }
+  void set_connected(bool is_connected);
+
+  /// What another station tells; its game is taken over if its word counts more than ours.
+  ///
+  /// @param own_boot  decides between commands of the same time, at every station alike
+  /// @return whether this station told the game until now, or knew none, and is quiet from now on
+  bool hear(const bus::GameState& other, std::uint32_t own_boot, HostTime now);
+
+  /// Whether the robots are to hear the game from this station: it has something to say.
+  [[nodiscard]] bool speaks() const { return speaks_; }
+
+  /// Whether another station said lately that it is connected to the box.
+  [[nodiscard]] bool other_has_box(HostTime now) const;
 
   /// Identity and stamp are the caller's to fill in.
   [[nodiscard]] bus::GameState state(HostTime now) const;
@@ -39,6 +55,9 @@ class GameBook {
 
   std::string own_address_;
   bool learns_address_{false};
+  bool speaks_{false};
+  bool follows_{false};
+  HostTime other_box_heard_{};
   bus::GameState state_;
   HostTime command_at_{};
   std::string last_command_;

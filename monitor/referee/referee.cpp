@@ -23,6 +23,7 @@ Referee::Referee(RefereeSettings settings,
                  Station& station)
     : settings_(std::move(settings)),
       games_(team),
+      others_(team),
       station_(&station),
       book_(settings_.own_address) {
   if (settings_.box) {
@@ -35,6 +36,7 @@ Referee::Referee(RefereeSettings settings,
                           }});
     loop.every(kWorldPeriod, [this]() { send_world(); });
   }
+  loop.on_readable(others_.event_fd(), [this]() { hear_others(); });
   loop.every(kGamePeriod, [this]() { publish(bus::host_now()); });
 }
 
@@ -49,6 +51,17 @@ void Referee::hear(std::string_view message) {
                    Level::kWarning,
                    "A message of the referee box could not be read: " + command.error());
   }
+}
+
+void Referee::hear_others() {
+  const HostTime now = bus::host_now();
+  others_.take(now, [&](const bus::Sample<bus::GameState>& sample) {
+    if (!sample.message || !book_.hear(*sample.message, settings_.boot, now)) return;
+    station_->note(now,
+                   Level::kWarning,
+                   "Another station tells the robots the game: this one follows it, until it "
+                   "gives a command itself");
+  });
 }
 
 void Referee::carry_out(const BoxCommand& command, const std::string& who) {
@@ -70,6 +83,9 @@ void Referee::note_connection(bool is_connected) {
 
 std::string Referee::by_hand(const RefereeOrder& order) {
   if (link_ && link_->is_connected()) return "the referee box is connected: it decides";
+  if (book_.other_has_box(bus::host_now())) {
+    return "another station is connected to the referee box: it decides";
+  }
   BoxCommand command;
   command.name = order.command;
   if (order.side == Side::kOurs) command.target = GameBook::kOurs;
@@ -79,6 +95,7 @@ std::string Referee::by_hand(const RefereeOrder& order) {
 }
 
 void Referee::publish(HostTime now) {
+  if (!book_.speaks()) return;
   bus::GameState state = book_.state(now);
   state.id = {kNobody, settings_.boot, ++sequence_};
   state.stamp = stamp_of(now);

@@ -10,6 +10,7 @@
 
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
+#include "bus/reader.hpp"
 #include "bus/writer.hpp"
 #include "monitor/order.hpp"
 #include "monitor/referee/box_link.hpp"
@@ -47,6 +48,7 @@ class Referee {
 
  private:
   void hear(std::string_view message);
+  void hear_others();
   void carry_out(const BoxCommand& command, const std::string& who);
   void note_connection(bool is_connected);
   void publish(HostTime now);
@@ -54,6 +56,7 @@ class Referee {
 
   RefereeSettings settings_;
   bus::Writer<bus::GameState> games_;
+  bus::Reader<bus::GameState> others_;
   Station* station_;
   GameBook book_;
   std::unique_ptr<BoxLink> link_;

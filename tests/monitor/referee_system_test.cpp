@@ -42,16 +42,20 @@ class RefereeSystem : public ::testing::Test {
     port_ = out.substr(begin, out.find('}') - begin);
   }
 
+  [[nodiscard]] static std::vector<std::string> station_alone() {
+    return {test::program("teamsight-monitor"),
+            "--team",
+            test::source_path("config/teams/demo.textproto"),
+            "--team-domain",
+            std::to_string(test::unique_domain()),
+            "--port",
+            "0"};
+  }
+
   void start_station() {
-    station_.emplace(std::vector<std::string>{test::program("teamsight-monitor"),
-                                              "--team",
-                                              test::source_path("config/teams/demo.textproto"),
-                                              "--team-domain",
-                                              std::to_string(test::unique_domain()),
-                                              "--port",
-                                              "0",
-                                              "--box",
-                                              "127.0.0.1:" + port_});
+    std::vector<std::string> argv = station_alone();
+    argv.insert(argv.end(), {"--box", "127.0.0.1:" + port_});
+    station_.emplace(argv);
     fusion_.emplace(std::vector<std::string>{TEAMSIGHT_FAKE_TEAM,
                                              "fusion",
                                              "3",
@@ -124,6 +128,25 @@ TEST_F(RefereeSystem, ComesBackToABoxThatClosedAndBearsOneThatDoesNotRead) {
   };
   EXPECT_TRUE(test::wait_until(again, kBound));
   EXPECT_TRUE(hear([](const bus::GameState& game) { return game.box_connected; }));
+}
+
+TEST_F(RefereeSystem, ASecondStationDoesNotStopTheGame) {
+  start_box("0.1 FIRST_HALF\n0.2 START\n");
+  start_station();
+  ASSERT_TRUE(hear([](const bus::GameState& game) { return game.running; }));
+
+  const ChildProcess second(station_alone());
+  ASSERT_TRUE(test::wait_until([&]() { return says(second, "url"); }, kBound)) << second.err();
+  int told = 0;
+  int stopped = 0;
+  const bool is_told = hear([&](const bus::GameState& game) {
+    ++told;
+    stopped += game.running ? 0 : 1;
+    return told >= 4;  // one a second: the second one's turn came as well
+  });
+
+  EXPECT_TRUE(is_told);
+  EXPECT_EQ(stopped, 0);
 }
 
 }  // namespace

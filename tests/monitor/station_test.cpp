@@ -300,6 +300,24 @@ TEST(Station, KeepsDiagnosticsOfAgentsWithTheirRobotAndOthersApart) {
   EXPECT_THAT(update.events, event_with("fusion/2: no clock of robot 1"));
 }
 
+TEST(Station, SaysOnceThatAnotherStationIsThere) {
+  StationParameters parameters;
+  parameters.where = "domain 7";
+  Station station(parameters);
+  bus::Diagnostics other;
+  other.process = "monitor";
+  for (int second = 0; second < 4; ++second) {
+    station.hear(sample_of(other, kStart + seconds(second), 1));
+  }
+
+  EXPECT_THAT(station.update(kStart + seconds(4)).events,
+              ElementsAre(::testing::Field(
+                  &Event::text, ::testing::HasSubstr("Another coach station is on domain 7"))));
+
+  station.hear(sample_of(other, kStart + seconds(60), 1));
+  EXPECT_EQ(station.update(kStart + seconds(60)).events.size(), 1U) << "it was gone";
+}
+
 TEST(Station, ForgetsTheTruthOfAMatchThatEnded) {
   Station station({});
   bus::Truth truth;

@@ -1,6 +1,7 @@
 // tests/monitor/referee/referee_test.cpp: the box's messages, the state of the game, our world
 // state.
 #include <chrono>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -165,6 +166,84 @@ TEST(GameBook, LearnsItsAddressFromTheWelcome) {
   book.apply({"CORNER", kUs, {}}, kNow);
 
   EXPECT_TRUE(book.state(kNow).piece_is_ours);
+}
+
+TEST(GameBook, OfAStationThatKnowsNothingKeepsQuiet) {
+  GameBook book(kUs);
+  EXPECT_FALSE(book.speaks());
+
+  book.set_connected(false);
+  EXPECT_FALSE(book.speaks());
+
+  book.set_connected(true);
+  EXPECT_TRUE(book.speaks());
+  book.set_connected(false);
+  EXPECT_TRUE(book.speaks()) << "that the box is gone is news";
+}
+
+/// Two stations' books, each of which hears the other as the robots do.
+struct TwoStations {
+  GameBook one{kUs};
+  GameBook other{kUs};
+
+  static bus::GameState said_by(const GameBook& book, std::uint32_t boot, HostTime now) {
+    bus::GameState state = book.state(now);
+    state.id = {kNobody, boot, 1};
+    return state;
+  }
+
+  void exchange(HostTime now) {
+    const auto from_one = said_by(one, 1, now);
+    const auto from_other = said_by(other, 2, now);
+    if (one.speaks()) other.hear(from_one, 2, now);
+    if (other.speaks()) one.hear(from_other, 1, now);
+  }
+};
+
+TEST(GameBook, FollowsTheStationWithTheNewestCommand) {
+  TwoStations stations;
+  stations.one.apply({"GOAL", kUs, {}}, kNow);
+  stations.exchange(kNow);
+  EXPECT_EQ(stations.other.state(kNow).goals_own, 1);
+  EXPECT_FALSE(stations.other.speaks());
+
+  stations.other.apply({"START", "", {}}, kNow + seconds(5));
+  stations.exchange(kNow + seconds(6));
+
+  EXPECT_FALSE(stations.one.speaks());
+  EXPECT_TRUE(stations.other.speaks());
+  EXPECT_TRUE(stations.one.state(kNow + seconds(6)).running);
+  EXPECT_EQ(stations.other.state(kNow).goals_own, 1) << "it went on from what it had followed";
+  EXPECT_EQ(stations.one.state(kNow + seconds(8)).command_age, seconds(3));
+}
+
+TEST(GameBook, LetsTheStationWithTheBoxDecide) {
+  TwoStations stations;
+  stations.one.set_connected(true);
+  stations.one.apply({"STOP", "", {}}, kNow);
+  stations.other.apply({"START", "", {}}, kNow + seconds(5));
+  stations.exchange(kNow + seconds(6));
+
+  EXPECT_TRUE(stations.one.speaks());
+  EXPECT_FALSE(stations.one.state(kNow).running);
+  EXPECT_FALSE(stations.other.speaks());
+  EXPECT_FALSE(stations.other.state(kNow).running);
+  EXPECT_FALSE(stations.other.state(kNow).box_connected) << "that is the other's connection";
+  EXPECT_TRUE(stations.other.other_has_box(kNow + seconds(7)));
+  EXPECT_FALSE(stations.other.other_has_box(kNow + seconds(60)));
+}
+
+TEST(GameBook, LeavesOneStationSpeakingWhateverTheTimesOfTheirCommands) {
+  for (const seconds later : {seconds(0), seconds(3), seconds(70)}) {
+    TwoStations stations;  // that meet after both have given commands
+    stations.one.apply({"STOP", "", {}}, kNow);
+    stations.other.apply({"START", "", {}}, kNow + later);
+    stations.exchange(kNow + later + seconds(200));
+
+    EXPECT_NE(stations.one.speaks(), stations.other.speaks()) << later.count();
+    const HostTime now = kNow + seconds(300);
+    EXPECT_EQ(stations.one.state(now).running, stations.other.state(now).running);
+  }
 }
 
 TEST(GameBook, ChangesNothingForWhatItDoesNotKnow) {
