@@ -76,6 +76,8 @@ const scenarios = {
     await page.waitForSelector(".robot.quarantined[data-robot=\"4\"]", BOUND);
     await page.waitForFunction(() => document.querySelectorAll("tbody tr.fresh").length === 5, undefined, BOUND);
     const log = await page.textContent("#log");
+    const numbers = await page.$$eval(".obstacle .label", (labels) => labels.map((label) => label.textContent).sort().join());
+    expect(numbers === "1,2,3,4,5", `the opponents have the numbers ${numbers}`);
     expect(log.includes("Robot 2 joined") && log.includes("leads"), `the log says: ${log}`);
     for (const [width, height] of [[1280, 800], [1920, 1080]]) {
       await page.setViewportSize({ width, height });
@@ -126,7 +128,7 @@ const scenarios = {
   /** The test starts a process of another version at "nothing_heard". */
   async explains(page) {
     await waitForMark(page, "NO DATA");
-    await page.waitForFunction(() => document.getElementById("silence").textContent.includes("Nothing heard yet"), undefined, BOUND);
+    await page.waitForFunction(() => /Nothing heard yet on domain \d+ of team "demo"/.test(document.getElementById("silence").textContent), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-nothing-heard.png") });
     say({ nothing_heard: true });
     await page.waitForFunction(() => document.getElementById("silence").textContent.includes("somebody speaks v9 of the topics, which this station does not hear"), undefined, BOUND);
@@ -151,6 +153,9 @@ scenarios.relocates = async (page) => {
   say({ relocated: await page.textContent(".action.done") });
   await page.click("#mute");
   await page.waitForFunction(() => document.querySelector('tbody tr[data-robot="2"]').textContent.includes("muted"), undefined, BOUND);
+  await page.click("#unmute");
+  await page.waitForFunction(() => !document.querySelector('tbody tr[data-robot="2"]').textContent.includes("muted"), undefined, BOUND);
+  await page.waitForFunction(() => [...document.querySelectorAll(".action.done")].some((note) => note.textContent.includes("unmute robot 2")), undefined, BOUND);
   await page.click('tbody tr[data-robot="5"]');
   await page.click("#mute");
   await page.waitForSelector(".action.no-answer", BOUND);
@@ -189,8 +194,12 @@ scenarios.hints = async (page) => {
   say({ not_answered: await page.textContent(".action.no-answer") });
 };
 
+const logSays = (page, text) => page.waitForFunction((wanted) => document.getElementById("log").textContent.includes(wanted), text, BOUND);
+
 scenarios.scrubs = async (page) => {
   await waitForMark(page, "LIVE");
+  await page.keyboard.press("b");
+  await logSays(page, "Bookmark");
   await page.waitForSelector('.robot.fresh[data-robot="2"]', BOUND);
   const then = await positionOf(page, 2);
   const far = (old) => {
@@ -210,6 +219,11 @@ scenarios.scrubs = async (page) => {
   });
   await page.waitForFunction(far, paused, BOUND);
   expect((await page.textContent("#position")).startsWith("−"), "the page does not say how far back it is");
+  await page.keyboard.press("l");
+  await waitForMark(page, "LIVE");
+  await page.keyboard.press("PageUp");
+  await waitForMark(page, "PAUSED");
+  await page.waitForFunction(() => document.querySelector("#log li").textContent.includes("Bookmark"), undefined, BOUND);
   await page.screenshot({ path: join(folder, "page-paused.png") });
   await page.keyboard.press(" ");
   await waitForMark(page, "REPLAY");
@@ -251,6 +265,10 @@ scenarios.looks = async (page) => {
   await page.keyboard.press("v");
   await page.keyboard.press("2");
   await page.waitForSelector(".raw .ray", BOUND);
+  await page.click('tbody tr[data-robot="4"]');
+  await page.waitForFunction(() => /quarantine: what it sees lies aside.*sightings fitted nothing/.test(document.querySelector(".robot-facts").textContent), undefined, BOUND);
+  await page.screenshot({ path: join(folder, "page-quarantine.png") });
+  await page.click('tbody tr[data-robot="1"]');
   await page.screenshot({ path: join(folder, "page-robot.png") });
   await page.click("#camera");
   await page.waitForSelector(".sensor.triggered", BOUND);

@@ -175,7 +175,7 @@ TEST_F(Page, HintsAtTheBallByAClickWhichTheLeadingFusionAnswers) {
 TEST_F(Page, ScrubsBackThroughThePastWhileLive) {
   start_team();
 
-  ChildProcess browser = open("scrubs");
+  ChildProcess browser = open("scrubs", "#token=" + token_);
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
 }

@@ -4,6 +4,7 @@ import type { Truth } from "./generated/recording_pb";
 import type { Ellipse } from "./ellipse";
 import { Keyed, set, svg, write } from "./dom";
 import type { BallMark, ObstacleMark, RobotMark, Scene } from "./scene";
+import { OpponentNumbers } from "./opponent_numbers";
 import { RawLayer, Trails } from "./raw_layer";
 import { UNITS, View } from "./view";
 import { WithoutLayer } from "./without_layer";
@@ -53,6 +54,7 @@ export class FieldView {
   private readonly raw: RawLayer;
   private readonly trails: Trails;
   private readonly without: WithoutLayer;
+  private readonly numbers = new OpponentNumbers();
   private view = new View(false);
   private field: MonitorField | undefined;
   private unitsPerPixel = 1;
@@ -137,7 +139,7 @@ export class FieldView {
     else this.raw.draw(update, this.view, this.unitsPerPixel, raw === "all" ? undefined : raw);
     this.trails.draw(update, this.view, this.unitsPerPixel);
     this.drawTruth(update.truth);
-    this.drawObstacles(scene.obstacles);
+    this.drawObstacles(scene.obstacles, Number(update.stampNs) / 1e6);
     this.drawLinks(scene);
     this.drawRobots(scene.robots);
     this.drawBalls(scene.balls, update.hint?.trackId ?? 0);
@@ -228,15 +230,16 @@ export class FieldView {
     this.balls.keepOnly(new Set(marks.map((mark) => String(mark.id))));
   }
 
-  private drawObstacles(marks: ObstacleMark[]): void {
+  private drawObstacles(marks: ObstacleMark[], nowMs: number): void {
+    this.numbers.show(marks.map((mark) => mark.id), nowMs);
     for (const mark of marks) {
       const symbol = this.obstacles.get(String(mark.id));
       const size = Math.max(mark.radius * UNITS, OBSTACLE_PX * this.unitsPerPixel);
       this.place(symbol, mark.x, mark.y, mark.ellipse, { x: mark.vx, y: mark.vy });
-      set(symbol.root, { class: `obstacle ${mark.freshness}`, opacity: 0.3 + 0.7 * mark.existence });
+      set(symbol.root, { class: `obstacle ${mark.freshness}`, "data-track": mark.id, opacity: 0.3 + 0.7 * mark.existence });
       set(symbol.body, { x: -size, y: -size, width: 2 * size, height: 2 * size, rx: size * 0.45 });
-      set(symbol.label, { "font-size": size * 1.15 });
-      write(symbol.label, String(mark.id % 1000));
+      set(symbol.label, { "font-size": size * 1.35 });
+      write(symbol.label, String(this.numbers.of(mark.id)));
     }
     this.obstacles.keepOnly(new Set(marks.map((mark) => String(mark.id))));
   }

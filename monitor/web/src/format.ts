@@ -70,6 +70,21 @@ const QUARANTINES = [
   "duplicate id",
 ];
 
+const QUARANTINE_WORDS = [
+  "",
+  "it does not know where it is",
+  "what it sees lies aside from what the others see",
+  "it stands on the other half",
+  "its posture jumped",
+  "too many or contradictory samples",
+  "two processes speak under its id",
+];
+
+/** The same in a sentence. */
+export function quarantineWords(code: number): string {
+  return QUARANTINE_WORDS[code] ?? quarantine(code);
+}
+
 /** Why a robot is not trusted; empty: it is. */
 export function quarantine(code: number): string {
   return QUARANTINES[code] ?? `reason ${code}`;

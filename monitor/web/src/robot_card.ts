@@ -5,6 +5,7 @@ import { html, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
 import { difference } from "./raw_layer";
+import { rejectedText } from "./table_view";
 import { withoutText } from "./without_layer";
 
 /** How long a look at camera or line points is asked for at a time, and how often again. */
@@ -110,10 +111,14 @@ export class RobotCard {
     const metres = (value: number | undefined): string => (value === undefined ? format.UNKNOWN : `${value.toFixed(2)} m`);
     const seen = row?.sightings;
     const mate = update.world?.teammates.find((one) => one.robotId === this.robot);
+    const trust = mate?.trust ?? row?.explained?.trust ?? NaN;
+    const why = format.quarantineWords(mate?.quarantine ?? row?.explained?.quarantine ?? 0);
     this.list([
       ["Its ball against the team's", metres(aside.ball)],
       ["Its place against the team's", metres(aside.posture)],
       ["Sees", seen ? `${seen.balls.length} ball rays, ${seen.obstacles.length} obstacles, ${seen.posture?.linePoints ?? 0} line points` : format.UNKNOWN],
+      ["Trusted", `${format.percent(trust)}${why ? `, in quarantine: ${why}` : ""}`],
+      ["Not used of it", rejectedText(row)],
       ["Without it", update.without?.robotId === this.robot ? withoutText(update) : format.UNKNOWN],
       ["Right half", `own ${format.percent(format.halfProbability(mate?.halfLogOdds ?? NaN))}, team ${format.percent(format.halfProbability(mate?.halfLogOddsTeam ?? NaN))}`],
       ["Clock against the leader", row?.explained && row.explained.clockSigmaMs > 0 ? `${row.explained.clockOffsetMs.toFixed(1)} ± ${row.explained.clockSigmaMs.toFixed(1)} ms` : format.UNKNOWN],

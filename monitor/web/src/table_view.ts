@@ -1,6 +1,6 @@
 // monitor/web/src/table_view.ts: one row per robot. Columns keep their width, rows their height.
 import type { MonitorUpdate, RobotRow } from "./generated/monitor_pb";
-import { PostureStatus, type WorldTeammate } from "./generated/recording_pb";
+import { type ExplainedRobot, PostureStatus, type WorldTeammate } from "./generated/recording_pb";
 import { html, set, write } from "./dom";
 import * as format from "./format";
 
@@ -65,21 +65,38 @@ export function trustCell(row: RobotRow, mate: WorldTeammate | undefined): Cell 
   return why ? cell(why, "bad") : cell(format.percent(trust), trust > 0.5 ? "good" : "warn");
 }
 
+/** Why the fusion did not use samples of a robot: for the table, and in words. */
+interface Rejected {
+  name: string;
+  words: string;
+  count: number;
+}
+
+/** Most frequent first; only what happened. */
+function rejectedBy(why: ExplainedRobot): Rejected[] {
+  const reasons: Rejected[] = [
+    { name: "gate", words: "sightings fitted nothing", count: why.rejectedGate },
+    { name: "late", words: "frames too late, early or many", count: why.rejectedLate },
+    { name: "twice", words: "frames twice", count: why.rejectedDuplicate },
+    { name: "posture", words: "frames without a posture", count: why.rejectedPosture },
+  ];
+  return reasons.filter(({ count }) => count > 0).sort((a, b) => b.count - a.count);
+}
+
 /** What the fusion did not use, by reason. */
 export function rejectedCell(row: RobotRow): Cell {
-  const why = row.explained;
-  if (!why) return DASH;
-  const reasons: [string, number][] = [
-    ["gate", why.rejectedGate],
-    ["late", why.rejectedLate],
-    ["twice", why.rejectedDuplicate],
-    ["posture", why.rejectedPosture],
-  ];
-  const some = reasons.filter(([, n]) => n > 0).sort((a, b) => b[1] - a[1]);
-  const first = some[0];
+  if (!row.explained) return DASH;
+  const [first, ...more] = rejectedBy(row.explained);
   if (!first) return cell("0", "dim");
-  const all = some.map(([name, n]) => `${name} ${n}`).join(", ");
-  return cell(`${format.count(first[1])} ${first[0]}${some.length > 1 ? " +" : ""}`, "", `${all}; accepted ${why.accepted}`);
+  return cell(`${format.count(first.count)} ${first.name}${more.length > 0 ? " +" : ""}`, "", rejectedText(row));
+}
+
+/** All of it in words. */
+export function rejectedText(row: RobotRow | undefined): string {
+  const why = row?.explained;
+  if (!why) return format.UNKNOWN;
+  const some = rejectedBy(why).map(({ words, count }) => `${format.count(count)} ${words}`);
+  return `${some.length > 0 ? some.join(", ") : "nothing"} (used: ${format.count(why.accepted)})`;
 }
 
 const COLUMNS: Column[] = [

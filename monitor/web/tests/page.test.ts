@@ -7,12 +7,13 @@ import * as format from "../src/format";
 import { MonitorUpdateSchema, RobotRowSchema } from "../src/generated/monitor_pb";
 import { PostureStatus } from "../src/generated/recording_pb";
 import { History, type Moment, updatesIn } from "../src/history";
+import { OpponentNumbers } from "../src/opponent_numbers";
 import { Player } from "../src/player";
 import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
 import { bitRate, commandText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
-import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, trustCell } from "../src/table_view";
+import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, trustCell } from "../src/table_view";
 import { View } from "../src/view";
 import { withoutText } from "../src/without_layer";
 
@@ -136,6 +137,34 @@ describe("a row of the table", () => {
     expect(trustCell(row({ state: { muted: true }, explained: { trust: 1 } }), undefined).text).toBe("muted");
     expect(rejectedCell(row({ explained: { rejectedGate: 3, rejectedLate: 12 } })).text).toBe("12 late +");
     expect(rejectedCell(row({ explained: {} })).text).toBe("0");
+    expect(rejectedText(row({ explained: { rejectedGate: 3, rejectedLate: 12, accepted: 70 } }))).toBe(
+      "12 frames too late, early or many, 3 sightings fitted nothing (used: 70)",
+    );
+    expect(rejectedText(row({ explained: { accepted: 70 } }))).toBe("nothing (used: 70)");
+    expect(rejectedText(undefined)).toBe("–");
+  });
+});
+
+describe("OpponentNumbers", () => {
+  const numbersOf = (numbers: OpponentNumbers, tracks: number[], nowMs: number): number[] => {
+    numbers.show(tracks, nowMs);
+    return tracks.map((track) => numbers.of(track));
+  };
+
+  it("tells tracks apart whose ids end alike, and keeps each one's number", () => {
+    const numbers = new OpponentNumbers();
+
+    expect(numbersOf(numbers, [70_011, 71_011, 72_011], 0)).toEqual([1, 2, 3]);
+    expect(numbersOf(numbers, [72_011, 90_000], 100)).toEqual([3, 4]);
+    expect(numbersOf(numbers, [71_011, 70_011], 4000)).toEqual([2, 1]);
+  });
+
+  it("gives a number away when its track has been gone for a while", () => {
+    const numbers = new OpponentNumbers();
+    for (let ms = 0; ms <= 8000; ms += 1000) numbers.show(ms === 0 ? [5, 6] : [6], ms);
+
+    expect(numbersOf(numbers, [6, 7], 8000)).toEqual([2, 1]);
+    expect(numbers.of(5)).toBe(0);
   });
 });
 
