@@ -42,7 +42,8 @@ std::string Operator::carry_out(const RefereeOrder& order) {
 }
 
 std::string Operator::carry_out(const BookmarkOrder& order) {
-  parts_.station.note(bus::host_now(), Level::kInfo, "Bookmark: " + order.text);
+  const std::string text = order.text.empty() ? "Bookmark" : "Bookmark: " + order.text;
+  parts_.station.note(bus::host_now(), Level::kInfo, text);
   return {};
 }
 

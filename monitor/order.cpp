@@ -116,7 +116,7 @@ Parsed bookmark(const Request::Bookmark& order) {
       order.text().size() <= kLongestText &&
       std::ranges::none_of(order.text(), [](unsigned char letter) { return letter < 0x20; });
   if (!is_text) return refuse("bookmark: at most 80 characters");
-  return Order{BookmarkOrder{order.text().empty() ? "bookmark" : order.text()}};
+  return Order{BookmarkOrder{order.text()}};
 }
 
 }  // namespace

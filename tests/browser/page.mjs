@@ -223,7 +223,7 @@ scenarios.scrubs = async (page) => {
   await waitForMark(page, "LIVE");
   await page.keyboard.press("PageUp");
   await waitForMark(page, "PAUSED");
-  await page.waitForFunction(() => document.querySelector("#log li").textContent.includes("Bookmark"), undefined, BOUND);
+  await page.waitForFunction(() => document.querySelector("#log li").querySelector("span").textContent === "Bookmark", undefined, BOUND);
   await page.screenshot({ path: join(folder, "page-paused.png") });
   await page.keyboard.press(" ");
   await waitForMark(page, "REPLAY");
@@ -235,7 +235,13 @@ scenarios.replays = async (page) => {
   await waitForMark(page, "REPLAY");
   await page.waitForSelector('.robot[data-robot="2"]', BOUND);
   await page.waitForSelector(".ball-mark .body", BOUND);
+  await page.keyboard.press("b");
+  await page.waitForFunction(() => document.querySelector(".action.refused")?.textContent.startsWith("This is a recording"), undefined, BOUND);
+  await page.selectOption("#timeline select", "0.1");
+  await page.click(".skip input");
   await page.keyboard.press("+");
+  await page.waitForFunction(() => document.querySelector("#timeline select").value === "0.25", undefined, BOUND);
+  await page.selectOption("#timeline select", "2");
   await waitForMark(page, "PAUSED");
   expect((await page.textContent("#position")) > "00:00.5", "the recording did not run");
   const end = await positionOf(page, 2);

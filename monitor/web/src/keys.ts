@@ -23,6 +23,13 @@ export function otherSpeed(speed: number, step: 1 | -1): number {
   return SPEEDS[Math.min(Math.max(index, 0), SPEEDS.length - 1)]!;
 }
 
+/** Whether a key belongs to what has the focus: text is typed, a box ticked, a choice made. */
+export function isTaken(key: string, tag: string, type: string): boolean {
+  if (tag === "SELECT") return true;
+  if (tag !== "INPUT" || type === "range") return false;
+  return type !== "checkbox" || key === " ";
+}
+
 /** Calls what a key stands for; false: nothing. */
 export function pressed(key: string, to: Commands, nowMs: number): boolean {
   const player = to.player();
@@ -53,9 +60,8 @@ export function pressed(key: string, to: Commands, nowMs: number): boolean {
 
 export function bindKeys(to: Commands): void {
   document.addEventListener("keydown", (event) => {
-    const target = event.target as HTMLElement;
-    const types = target.tagName === "INPUT" && (target as HTMLInputElement).type !== "range";
-    if (event.ctrlKey || event.metaKey || event.altKey || types || target.tagName === "SELECT") return;
+    const target = event.target as HTMLInputElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || isTaken(event.key, target.tagName, target.type)) return;
     if (!pressed(event.key, to, performance.now())) return;
     event.preventDefault();
     to.changed();

@@ -184,6 +184,7 @@ async function loadRecording(address: string, dateMinusStampNs: bigint): Promise
   history = new History(RECORDING_BOUNDS);
   player = new Player(history, true);
   set(document.body, { "data-shows": "recording" });
+  orders.close("This is a recording: nobody takes orders or bookmarks");
   shownIndex = -1;
   log.clear();
   for (const bytes of updatesIn(body)) {

@@ -19,6 +19,7 @@ export function takeToken(location: Location, history: { replaceState(data: unkn
 
 export class Orders {
   private shown = "";
+  private closed = "";
 
   constructor(
     private readonly root: HTMLElement,
@@ -26,7 +27,16 @@ export class Orders {
     public token: string,
   ) {}
 
+  /** No orders from now on, and what to say to one. */
+  close(why: string): void {
+    this.closed = why;
+  }
+
   give(order: Order): void {
+    if (this.closed) {
+      this.refuse(this.closed);
+      return;
+    }
     if (!this.token) {
       this.refuse("Orders need the station's token: open the address it printed, or enter it");
       this.ask();

@@ -23,6 +23,12 @@ export function commandText(report: RefereeReport | undefined): string {
   return `${report.lastCommand} · ${format.age(report.state?.commandAgeMs ?? NaN)} ago`;
 }
 
+/** The phase and the last command; said once where the command was the phase. */
+export function courseText(report: RefereeReport | undefined): string {
+  const phase = PHASES[report?.state?.phase ?? 0] ?? "";
+  return phase && phase !== report?.lastCommand ? `${phase} · ${commandText(report)}` : commandText(report);
+}
+
 /** What all processes together send, bit/s, as each measures itself; undefined: none says. */
 export function bitRate(update: MonitorUpdate): number | undefined {
   const all = speakers(update);
@@ -58,7 +64,7 @@ export function drawGame(update: MonitorUpdate): void {
   write(byId("score"), `${state?.goalsOwn ?? 0} : ${state?.goalsOpponent ?? 0}`);
   write(byId("game"), gameText(report));
   set(byId("game"), { class: state?.running ? "running" : "" });
-  const course = [PHASES[state?.phase ?? 0], commandText(report)].filter(Boolean).join(" · ");
+  const course = courseText(report);
   write(byId("course"), course);
   set(byId("course"), { title: course });
   const lamp = (id: string, tone: string, text: string, title: string): void => {

@@ -88,6 +88,7 @@ export class TimelineView {
     for (const speed of SPEEDS) html("option", "", this.speed, `${speed}×`).value = String(speed);
     this.speed.addEventListener("change", () => {
       player.speed = Number(this.speed.value);
+      this.speed.blur(); // the keys are the page's again
       this.actions.changed();
     });
     const skip = html("label", "tool skip", root);

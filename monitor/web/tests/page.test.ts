@@ -7,11 +7,12 @@ import * as format from "../src/format";
 import { MonitorUpdateSchema, RobotRowSchema } from "../src/generated/monitor_pb";
 import { PostureStatus } from "../src/generated/recording_pb";
 import { History, type Moment, updatesIn } from "../src/history";
+import { isTaken } from "../src/keys";
 import { OpponentNumbers } from "../src/opponent_numbers";
-import { Player } from "../src/player";
+import { Player, SPEEDS } from "../src/player";
 import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
-import { bitRate, commandText, gameText, isSecured, thriftText } from "../src/referee_view";
+import { bitRate, commandText, courseText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
 import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, trustCell } from "../src/table_view";
 import { View } from "../src/view";
@@ -279,6 +280,17 @@ describe("History", () => {
   });
 });
 
+describe("keys", () => {
+  it("belong to what has the focus only where it needs them", () => {
+    expect(isTaken("b", "INPUT", "text")).toBe(true);
+    expect(isTaken("b", "SELECT", "select-one")).toBe(true);
+    expect(isTaken(" ", "INPUT", "checkbox")).toBe(true);
+    expect(isTaken("b", "INPUT", "checkbox")).toBe(false);
+    expect(isTaken(" ", "INPUT", "range")).toBe(false);
+    expect(isTaken(" ", "BODY", "")).toBe(false);
+  });
+});
+
 describe("Player", () => {
   it("stands still when paused and runs at its speed in replay", () => {
     const player = new Player(historyOf(moment(0), moment(500), moment(1000)), false);
@@ -289,6 +301,19 @@ describe("Player", () => {
     player.play(9000);
     expect(player.timeAt(9200)).toBe(200);
     expect(player.mode).toBe("replay");
+  });
+
+  it("skips stopped play, and goes from a tenth to ten times the speed", () => {
+    const stop = { running: false };
+    const player = new Player(historyOf(moment(0, { running: true }), moment(100, stop), moment(600, stop), moment(700, { running: true }), moment(990)), true);
+    player.skipsStops = true;
+    player.play(0);
+    expect(player.timeAt(150)).toBe(700);
+
+    player.speed = SPEEDS[0]!;
+    expect(player.timeAt(650)).toBe(750);
+    player.speed = SPEEDS.at(-1)!;
+    expect(player.timeAt(660)).toBe(850);
   });
 
   it("is live again when it has caught up, and never with a recording", () => {
@@ -364,6 +389,10 @@ describe("orders", () => {
     expect(gameText(update.referee)).toBe("our kick-off");
     expect(commandText(update.referee)).toBe("no command yet");
     expect(gameText(undefined)).toBe("no referee");
+    const told = (phase: number, lastCommand: string) => create(MonitorUpdateSchema, { referee: { hasBox: true, lastCommand, state: { phase, commandAgeMs: 3000 } } }).referee;
+    expect(courseText(told(1, "before the game"))).toBe("before the game · 3.0 s ago");
+    expect(courseText(told(2, "START"))).toBe("first half · START · 3.0 s ago");
+    expect(courseText(undefined)).toBe("no referee box");
   });
 });
 
