@@ -49,6 +49,37 @@ std::optional<WriterName> name_of(dds_entity_t reader, dds_instance_handle_t wri
   return name;
 }
 
+// The writers that the library has matched with a reader, at most as many as are remembered.
+class Matched {
+ public:
+  explicit Matched(dds_entity_t reader) : reader_(reader) {
+    const auto count = dds_get_matched_publications(reader, writers_.data(), writers_.size());
+    size_ = std::min(writers_.size(), static_cast<std::size_t>(std::max(count, 0)));
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+  /// Those of whom the claim is true come first; how many they are.
+  std::size_t bring_forward(const std::function<bool(dds_instance_handle_t)>& claim) {
+    const auto end = writers_.begin() + static_cast<std::ptrdiff_t>(size_);
+    return static_cast<std::size_t>(std::partition(writers_.begin(), end, claim) -
+                                    writers_.begin());
+  }
+
+  [[nodiscard]] std::vector<WriterName> names(std::size_t from, std::size_t to) const {
+    std::vector<WriterName> names;
+    for (std::size_t i = from; i < to; ++i) {
+      if (const auto name = name_of(reader_, writers_.at(i))) names.push_back(*name);
+    }
+    return names;
+  }
+
+ private:
+  dds_entity_t reader_;
+  std::array<dds_instance_handle_t, HeardWriters::kMost> writers_{};
+  std::size_t size_{0};
+};
+
 // What one writer counts apart: commands, by their target. Not the library's handle, which is
 // another one after joining anew; what was heard before must not be new then.
 template <class Message>
@@ -102,25 +133,22 @@ struct Reader<Message>::Impl {
   }
 
   [[nodiscard]] std::vector<WriterName> unheard(HostTime now, Duration patience) const {
-    std::array<dds_instance_handle_t, HeardWriters::kMost> writers{};
-    const auto matched = std::clamp<dds_return_t>(
-        dds_get_matched_publications(subscription.handle(), writers.data(), writers.size()),
-        0,
-        static_cast<dds_return_t>(writers.size()));
-    const auto end = writers.begin() + matched;
-    const auto middle = std::partition(
-        writers.begin(), end, [&](auto writer) { return heard.has(writer, now, patience); });
+    Matched matched(subscription.handle());
+    const auto heard_of =
+        matched.bring_forward([&](auto writer) { return heard.has(writer, now, patience); });
     // The library tells only how many are alive; those that are not may be among the unheard.
-    const auto can_be_heard = static_cast<std::size_t>(middle - writers.begin());
     const std::size_t alive = subscription.live_writers();
     const bool all_are_heard =
-        subscription.profile().exclusive ? can_be_heard > 0 || alive == 0 : can_be_heard >= alive;
-    std::vector<WriterName> names;
-    if (all_are_heard) return names;
-    for (auto it = middle; it != end; ++it) {
-      if (const auto name = name_of(subscription.handle(), *it)) names.push_back(*name);
-    }
-    return names;
+        subscription.profile().exclusive ? heard_of > 0 || alive == 0 : heard_of >= alive;
+    if (all_are_heard) return {};
+    return matched.names(heard_of, matched.size());
+  }
+
+  [[nodiscard]] std::vector<WriterName> heard_of_late(HostTime now, Duration patience) const {
+    Matched matched(subscription.handle());
+    const auto heard_of =
+        matched.bring_forward([&](auto writer) { return heard.has(writer, now, patience); });
+    return matched.names(0, heard_of);
   }
 
   Subscription subscription;
@@ -180,6 +208,11 @@ std::uint32_t Reader<Message>::live_writers() const noexcept {
 template <class Message>
 std::vector<WriterName> Reader<Message>::unheard_writers(HostTime now, Duration patience) const {
   return impl_->unheard(now, patience);
+}
+
+template <class Message>
+std::vector<WriterName> Reader<Message>::heard_writers(HostTime now, Duration patience) const {
+  return impl_->heard_of_late(now, patience);
 }
 
 template <class Message>

@@ -69,6 +69,9 @@ class Reader {
   /// of them, as the weaker ones are never heard.
   [[nodiscard]] std::vector<WriterName> unheard_writers(HostTime now, Duration patience) const;
 
+  /// The writers of whom something new came within `patience`, whether they live or not.
+  [[nodiscard]] std::vector<WriterName> heard_writers(HostTime now, Duration patience) const;
+
   /// When last a process that was heard before was heard through a new writer: it has joined anew.
   /// Zero: never.
   [[nodiscard]] HostTime writer_renamed() const noexcept;

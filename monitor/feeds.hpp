@@ -37,11 +37,13 @@ struct Feeds {
     station.count("VirtualSensors", sensors.counters());
   }
 
-  /// Those whose writers speak all the time.
+  /// Those whose writers speak all the time, or beside another topic.
   void watch(process::Hearing& ear) const {
     ear.watch(states);
     ear.watch(sightings);
     ear.watch(worlds);
+    ear.watch_beside(explanations, worlds);
+    ear.watch_beside(diagnostics, states, worlds);
   }
 
   bus::Reader<bus::RobotState> states;

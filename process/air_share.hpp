@@ -28,6 +28,9 @@ class AirShare {
   /// Whether a sample that the team can do without (diagnostics, pictures) may go now.
   [[nodiscard]] bool may_tell(std::size_t bytes, HostTime now);
 
+  /// Who else reports.
+  [[nodiscard]] const bus::Reader<bus::Diagnostics>& reports() const { return others_; }
+
   /// Puts rate and thrift into a report, and into its message if that is empty.
   void tell(bus::Diagnostics& report) const;
 

@@ -13,9 +13,17 @@ constexpr Duration kPeriod = std::chrono::milliseconds(500);
 constexpr double kJitter = 0.2;
 constexpr Duration kTold = std::chrono::seconds(30);
 
+/// Whether two writers are one process's: the name begins with its participant's.
+bool are_of_one_process(const bus::WriterName& a, const bus::WriterName& b) {
+  constexpr std::size_t kParticipant = 12;
+  return std::equal(a.begin(), a.begin() + kParticipant, b.begin());
+}
+
 }  // namespace
 
-Hearing::Hearing(bus::Participant& team) : team_(&team), rule_(RejoinParameters{}) {}
+Hearing::Hearing(bus::Participant& team, const RejoinParameters& parameters)
+    : team_(&team),
+      rule_(parameters) {}
 
 void Hearing::attach(bus::Loop& loop) {
   loop.every(
@@ -28,16 +36,34 @@ void Hearing::look(HostTime now) {
     is_out_ = !team_->rejoin();
     return;
   }
-  std::vector<bus::WriterName> unheard;
+  std::vector<Unheard> unheard;
   HostTime peer{};
   for (const Ear& ear : ears_) {
-    for (const bus::WriterName& name : ear.unheard(now)) unheard.push_back(name);
+    listen(ear, now, unheard);
     peer = std::max(peer, ear.renamed());
   }
   if (!rule_.step(unheard, peer, now)) return;
   ++times_;
   last_ = now;
   is_out_ = !team_->rejoin();
+}
+
+void Hearing::listen(const Ear& ear, HostTime now, std::vector<Unheard>& unheard) {
+  const auto silent = ear.unheard(now);
+  if (silent.empty()) return;
+  std::vector<bus::WriterName> heard;
+  for (const Names& witness : ear.witnesses) {
+    for (const bus::WriterName& name : witness(now)) heard.push_back(name);
+  }
+  const bool is_quiet = !ear.witnesses.empty();
+  for (const bus::WriterName& name : silent) {
+    const auto is_same = [&](const auto& other) {
+      return are_of_one_process(name, other);
+    };
+    if (!is_quiet || std::any_of(heard.begin(), heard.end(), is_same)) {
+      unheard.push_back({name, is_quiet});
+    }
+  }
 }
 
 void Hearing::tell(bus::Diagnostics& report, HostTime now) const {

@@ -18,19 +18,34 @@ namespace teamsight::process {
 class Hearing {
  public:
   /// @param team  must outlive it, and be the only participant of the process in its domain
-  explicit Hearing(bus::Participant& team);
+  explicit Hearing(bus::Participant& team, const RejoinParameters& parameters = {});
 
   /// Watches a topic whose writers speak all the time, or lose their lease.
   ///
-  /// @param reader    must outlive it
-  /// @param patience  a writer that lives says something new within it
+  /// @param reader  must outlive it
   template <class Message>
-  void watch(const bus::Reader<Message>& reader, Duration patience = kPatience) {
-    ears_.push_back(
-        {[&reader, patience](HostTime now) { return reader.unheard_writers(now, patience); },
-         [&reader] {
-           return reader.writer_renamed();
-         }});
+  void watch(const bus::Reader<Message>& reader) {
+    ears_.push_back({[&reader](HostTime now) { return reader.unheard_writers(now, kPatience); },
+                     {},
+                     [&reader] {
+                       return reader.writer_renamed();
+                     }});
+  }
+
+  /// Watches a topic that is told of about once a second and has no lease: a writer may live and
+  /// be unheard there only while its process is heard on another topic.
+  ///
+  /// @param reader     must outlive it, as must the others
+  /// @param witnesses  of topics on which the same processes speak
+  template <class Message, class... Witness>
+  void watch_beside(const bus::Reader<Message>& reader, const bus::Reader<Witness>&... witnesses) {
+    ears_.push_back({[&reader](HostTime now) { return reader.unheard_writers(now, kPatience); },
+                     {[&witnesses](HostTime now) {
+                       return witnesses.heard_writers(now, kWitnessPatience);
+                     }...},
+                     [&reader] {
+                       return reader.writer_renamed();
+                     }});
   }
 
   /// Looks from now on.
@@ -46,12 +61,18 @@ class Hearing {
   void tell(bus::Diagnostics& report, HostTime now) const;
 
   static constexpr Duration kPatience = std::chrono::seconds(1);
+  static constexpr Duration kWitnessPatience = std::chrono::seconds(10);
 
  private:
+  using Names = std::function<std::vector<bus::WriterName>(HostTime)>;
+
   struct Ear {
-    std::function<std::vector<bus::WriterName>(HostTime)> unheard;
+    Names unheard;
+    std::vector<Names> witnesses;  // none: the topic's lease says who lives
     std::function<HostTime()> renamed;
   };
+
+  static void listen(const Ear& ear, HostTime now, std::vector<Unheard>& unheard);
 
   bus::Participant* team_;
   RejoinRule rule_;

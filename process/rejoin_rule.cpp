@@ -6,21 +6,21 @@
 
 namespace teamsight::process {
 
-bool RejoinRule::step(const std::vector<bus::WriterName>& unheard, HostTime peer, HostTime now) {
+bool RejoinRule::step(const std::vector<Unheard>& unheard, HostTime peer, HostTime now) {
   const bool has_watched = now - stepped_ <= parameters_.longest_step;
   stepped_ = now;
-  if (!has_watched) since_.clear();
-  std::map<bus::WriterName, HostTime> since;
-  for (const bus::WriterName& name : unheard) {
-    const auto known = since_.find(name);
-    since[name] = known == since_.end() ? now : known->second;
+  if (!has_watched) silent_.clear();
+  std::map<bus::WriterName, Silence> silent;
+  for (const auto& [name, is_quiet] : unheard) {
+    const auto known = silent_.find(name);
+    silent[name] = {known == silent_.end() ? now : known->second.since, is_quiet};
   }
-  since_ = std::move(since);
+  silent_ = std::move(silent);
   std::erase_if(blamed_,
                 [&](const auto& entry) { return now - entry.second > parameters_.memory; });
   if (!has_reason(peer, now)) return false;
-  for (const auto& [name, first] : since_) blamed_[name] = now;
-  since_.clear();
+  for (const auto& [name, silence] : silent_) blamed_[name] = now;
+  silent_.clear();
   rejoined_ = now;
   return true;
 }
@@ -30,8 +30,9 @@ bool RejoinRule::has_reason(HostTime peer, HostTime now) const {
   if (since_last < parameters_.pause) return false;
   const bool peer_did = peer != HostTime{} && now - peer <= parameters_.patience;
   if (peer_did && since_last >= parameters_.follow) return true;
-  return std::any_of(since_.begin(), since_.end(), [&](const auto& entry) {
-    return now - entry.second >= parameters_.patience && !blamed_.contains(entry.first);
+  return std::any_of(silent_.begin(), silent_.end(), [&](const auto& entry) {
+    return now - entry.second.since >= patience_with(entry.second) &&
+           !blamed_.contains(entry.first);
   });
 }
 

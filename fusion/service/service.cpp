@@ -91,6 +91,9 @@ Service::Service(bus::Participant& team,
       last_intake_(started_) {
   hearing_.watch(sightings_);
   hearing_.watch(worlds_);
+  hearing_.watch_beside(probes_, echoes_, air_.reports());
+  hearing_.watch_beside(echoes_, probes_, air_.reports());
+  hearing_.watch_beside(air_.reports(), sightings_, probes_, echoes_);
 }
 
 void Service::attach(bus::Loop& loop) {

@@ -67,6 +67,25 @@ void write_states(const Job& job) {
   loop.run();
 }
 
+// Writes Diagnostics as robot `number` at 20 Hz, for ever, and RobotState too if `second_number` is
+// not 0.
+void write_reports(const Job& job) {
+  Loop loop;
+  const Participant participant = Participant::join(job.domain);
+  Writer<Diagnostics> reports(participant);
+  Writer<RobotState> states(participant);
+  const auto robot = static_cast<RobotId>(job.number);
+  std::uint32_t sequence = 0;
+  loop.every(milliseconds(50), [&] {
+    auto report = bus::testing::full<Diagnostics>();
+    report.id = {robot, own_boot(), ++sequence};
+    report.stamp = stamp_of(host_now());
+    reports.write(report);
+    if (job.second_number != 0) states.write(state_now(robot, sequence));
+  });
+  loop.run();
+}
+
 // Writes WorldModel as robot `number` with strength `second_number` at 50 Hz, for ever.
 void write_worlds(const Job& job) {
   Loop loop;
@@ -192,6 +211,7 @@ void speak_other_version(const Job& job) {
 
 void run(const Job& job) {
   if (job.what == "states") return write_states(job);
+  if (job.what == "reports") return write_reports(job);
   if (job.what == "worlds") return write_worlds(job);
   if (job.what == "events") return write_events(job);
   if (job.what == "meet") return meet(job);

@@ -63,7 +63,10 @@ class Speaker {
   }
 
   /// What else the process reads.
-  void hear(const bus::Reader<WorldModel>& leader) { hearing_.watch(leader); }
+  void hear(const bus::Reader<WorldModel>& leader) {
+    hearing_.watch(leader);
+    hearing_.watch_beside(air_.reports(), peers_, leader);
+  }
 
   void attach(bus::Loop& loop, double rate_hz) {
     loop.every(from_seconds(1.0 / rate_hz), [this] { speak(); });

@@ -9,18 +9,16 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const bus::WriterName kOne{1};
-const bus::WriterName kOther{2};
+const Unheard kOne{{1}, false};
+const Unheard kOther{{2}, false};
+const Unheard kQuiet{{3}, true};
 
 HostTime at(Duration since) {
   return HostTime{seconds(1000)} + since;
 }
 
 /// Steps twice a second with the same writers unheard; how often the rule acted.
-int steps(RejoinRule& rule,
-          const std::vector<bus::WriterName>& unheard,
-          Duration from,
-          Duration to) {
+int steps(RejoinRule& rule, const std::vector<Unheard>& unheard, Duration from, Duration to) {
   int acted = 0;
   for (Duration t = from; t < to; t += milliseconds(500))
     acted += rule.step(unheard, {}, at(t)) ? 1 : 0;
@@ -32,6 +30,13 @@ TEST(RejoinRule, ActsOnAWriterThatStaysUnheard) {
 
   EXPECT_EQ(steps(rule, {kOne}, seconds(0), seconds(2)), 0);
   EXPECT_TRUE(rule.step({kOne}, {}, at(seconds(2))));
+}
+
+TEST(RejoinRule, WaitsLongerWhereLittleIsSaid) {
+  RejoinRule rule({});
+
+  EXPECT_EQ(steps(rule, {kQuiet}, seconds(0), seconds(30)), 0);
+  EXPECT_TRUE(rule.step({kQuiet}, {}, at(seconds(30))));
 }
 
 TEST(RejoinRule, DoesNotActWhileEverybodyIsHeardNowAndThen) {
