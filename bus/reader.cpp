@@ -216,6 +216,11 @@ std::vector<WriterName> Reader<Message>::heard_writers(HostTime now, Duration pa
 }
 
 template <class Message>
+Computer Reader<Message>::computer_of(std::uint64_t writer) const {
+  return impl_->subscription.computer_of(writer);
+}
+
+template <class Message>
 HostTime Reader<Message>::writer_renamed() const noexcept {
   return impl_->heard.renamed();
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bus/computer.hpp"
 #include "bus/messages.hpp"
 #include "bus/participant.hpp"
 #include "bus/reject.hpp"
@@ -71,6 +72,11 @@ class Reader {
 
   /// The writers of whom something new came within `patience`, whether they live or not.
   [[nodiscard]] std::vector<WriterName> heard_writers(HostTime now, Duration patience) const;
+
+  /// The computer that a writer's process runs on; empty of name and address if it is not known.
+  ///
+  /// @param writer  of a sample
+  [[nodiscard]] Computer computer_of(std::uint64_t writer) const;
 
   /// When last a process that was heard before was heard through a new writer: it has joined anew.
   /// Zero: never.

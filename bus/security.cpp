@@ -24,9 +24,11 @@ constexpr std::string_view kRobot = "robot";
 std::string readable(const std::string& folder, const char* name) {
   std::string path = folder + "/" + name;
   if (::access(path.c_str(), R_OK) != 0) {
+    const bool is_there = errno != ENOENT;
     fail(path,
          std::generic_category().message(errno) + ", expected a folder made by `teamsight keys`" +
-             " that this user may read");
+             (is_there ? " that this user may read: chown -R USER " + folder
+                       : "; make one for this robot with --robots, or copy it from where it is"));
   }
   return path;
 }

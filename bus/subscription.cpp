@@ -31,6 +31,15 @@ void on_liveliness(dds_entity_t /*reader*/,
   signal_event(argument);
 }
 
+// "" if the participant does not announce it.
+std::string property_of(const dds_qos_t* qos, const char* name) {
+  char* value = nullptr;
+  if (!dds_qget_prop(qos, name, &value) || value == nullptr) return {};
+  std::string text(value);
+  dds_free(value);
+  return text;
+}
+
 int make_event_fd() {
   const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (descriptor < 0)
@@ -91,6 +100,27 @@ std::uint32_t Subscription::live_writers() const noexcept {
   dds_liveliness_changed_status_t status{};
   if (dds_get_liveliness_changed_status(reader_.handle(), &status) < 0) return 0;
   return status.alive_count;
+}
+
+Computer Subscription::computer_of(dds_instance_handle_t writer) const {
+  const EndpointPointer endpoint(dds_get_matched_publication_data(handle(), writer));
+  if (!endpoint) return {};
+  const Entity participants(dds_create_reader(membership_.participant().entity.handle(),
+                                              DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
+                                              nullptr,
+                                              nullptr));
+  void* sample = nullptr;
+  dds_sample_info_t info{};
+  const auto count = dds_read_instance(
+      participants.handle(), &sample, &info, 1, 1, endpoint->participant_instance_handle);
+  if (count <= 0) return {};
+  const auto* const participant = static_cast<const dds_builtintopic_participant_t*>(sample);
+  Computer computer{property_of(participant->qos, "__Hostname"),
+                    unicast_address_in(property_of(participant->qos, "__NetworkAddresses")),
+                    false};
+  computer.is_this = is_own_address(computer.address);
+  dds_return_loan(participants.handle(), &sample, count);
+  return computer;
 }
 
 Loan::Loan(dds_entity_t reader) noexcept : reader_(reader) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "bus/computer.hpp"
 #include "bus/entity.hpp"
 #include "bus/participant_impl.hpp"
 #include "bus/topics.hpp"
@@ -35,6 +36,9 @@ class Subscription final : public Endpoint {
 
   /// How often it has entered: with each time the library's handles are new ones.
   [[nodiscard]] std::uint32_t entered() const noexcept { return entered_; }
+
+  /// See Reader::computer_of.
+  [[nodiscard]] Computer computer_of(dds_instance_handle_t writer) const;
 
   [[nodiscard]] const TopicProfile& profile() const noexcept { return profile_; }
 
