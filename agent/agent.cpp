@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "agent/identity_guard.hpp"
 #include "agent/picture.hpp"
 #include "bus/clock.hpp"
+#include "process/identity_guard.hpp"
 #include "process/temperature.hpp"
 
 namespace teamsight::agent {
@@ -29,6 +29,7 @@ constexpr std::size_t kDiagnosticsBytes = 1268;
 constexpr Duration kShortestLoss = 150ms;  // a frame that is only late is no lost camera
 constexpr Duration kLongestLoss = 2s;
 constexpr Duration kPostureMissed = 3s;
+constexpr Duration kRivalTold = 5s;
 constexpr double kNewShare = 0.1;  // of one interval in the smoothed frame period
 
 const char* to_text(vision::FrameReject reason) {
@@ -254,6 +255,9 @@ bool Agent::is_camera_lost(HostTime now) const {
 }
 
 std::string Agent::complaint(const SourceReport& source, HostTime now) const {
+  if (rival_heard_ != HostTime{} && now - rival_heard_ < kRivalTold) {
+    return rival_;
+  }
   if (!reject_.empty()) {
     return reject_ + ": the frames are not what the camera file says";
   }
@@ -374,10 +378,16 @@ void Agent::listen_to_peers() {
     if (!sample.message.has_value()) {
       return;
     }
-    const Rivalry rivalry = judge_rival(own, sample.message->id);
-    if (rivalry == Rivalry::kStay) {
-      meter_.count("rival.samples");
-    } else if (rivalry == Rivalry::kYield) {
+    const process::Rivalry rivalry = process::judge_rival(own, sample.message->id);
+    if (rivalry == process::Rivalry::kNone) {
+      return;
+    }
+    meter_.count("rival.samples");
+    if (rival_heard_ == HostTime{}) {
+      rival_ = process::words_on_rival(identity_.robot, bus_->peers.computer_of(sample.writer));
+    }
+    rival_heard_ = sample.received;
+    if (rivalry == process::Rivalry::kYield) {
       yielded_ = true;
       loop_->stop();
     }

@@ -64,6 +64,9 @@ class Agent {
   /// Whether an older process with the same robot id made this one give up.
   [[nodiscard]] bool has_yielded() const { return yielded_; }
 
+  /// Who speaks under this robot's id as well, and what to do; "" if nobody was heard.
+  [[nodiscard]] const std::string& rival() const { return rival_; }
+
  private:
   struct Seen {
     const vision::FrameObservation* observation{nullptr};
@@ -125,6 +128,8 @@ class Agent {
   std::uint32_t acknowledged_{0};
   bool muted_{false};
   bool yielded_{false};
+  std::string rival_;
+  HostTime rival_heard_{};
 };
 
 }  // namespace teamsight::agent

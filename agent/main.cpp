@@ -16,6 +16,7 @@
 #include "agent/open_source.hpp"
 #include "bus/clock.hpp"
 #include "process/domains.hpp"
+#include "process/identity_guard.hpp"
 #include "process/program.hpp"
 #include "process/supervision.hpp"
 #include "settings/load.hpp"
@@ -131,31 +132,31 @@ std::unique_ptr<Locator> make_locator(const Options& options,
   return locator;
 }
 
-// The boot id of another process with this robot id, if one has been heard.
-std::optional<std::uint32_t> find_rival(bus::Reader<bus::RobotState>& peers, RobotId robot) {
-  std::optional<std::uint32_t> rival;
+// Another process with this robot id, if one has been heard: on which computer.
+std::optional<bus::Computer> find_rival(bus::Reader<bus::RobotState>& peers, RobotId robot) {
+  std::optional<bus::Computer> rival;
   peers.take(bus::host_now(), [&](const bus::Sample<bus::RobotState>& sample) {
     if (sample.message.has_value() && sample.message->id.robot == robot) {
-      rival = sample.message->id.boot;
+      rival = peers.computer_of(sample.writer);
     }
   });
   return rival;
 }
 
 // Waits until a rival has had the time to be heard, or the process is to end.
-void refuse_second(bus::Reader<bus::RobotState>& peers, RobotId robot, const bus::Loop& loop) {
+void refuse_second(AgentBus& topics, RobotId robot, const bus::Loop& loop) {
   const HostTime until = bus::host_now() + kListenForRivals;
-  std::optional<std::uint32_t> rival;
+  std::optional<bus::Computer> rival;
   while (!rival.has_value() && loop.keeps_running() && bus::host_now() < until) {
-    pollfd waiting{peers.event_fd(), POLLIN, 0};
+    pollfd waiting{topics.peers.event_fd(), POLLIN, 0};
     ::poll(&waiting, 1, 20);
-    rival = find_rival(peers, robot);
+    rival = find_rival(topics.peers, robot);
   }
-  if (rival.has_value()) {
-    throw std::runtime_error("robot id " + std::to_string(robot) +
-                             ": found another process that speaks under it (boot " +
-                             std::to_string(*rival) + "), expected to be the only one");
-  }
+  if (!rival.has_value()) return;
+  const std::string words = process::words_on_rival(robot, *rival);
+  topics.diagnostics.write(
+      process::last_report("agent/" + std::to_string(robot), robot, words, bus::host_now()));
+  throw std::runtime_error(words);
 }
 
 int run(const Options& options) {
@@ -186,7 +187,7 @@ int run(const Options& options) {
   const auto host_bus =
       bus::Participant::join(process::host_domain(team, options.domains, tag), keeps_trying);
   AgentBus topics(team_bus, host_bus);
-  refuse_second(topics.peers, setup.robot.id, loop);
+  refuse_second(topics, setup.robot.id, loop);
   // Commands that were waiting are about the time before this start.
   topics.commands.take(bus::host_now(), [](const bus::Sample<bus::Command>&) {});
 
@@ -206,8 +207,7 @@ int run(const Options& options) {
   process::report_to_supervisor(loop);
   loop.run();
   if (agent.has_yielded()) {
-    throw std::runtime_error("robot id " + std::to_string(setup.robot.id) +
-                             ": found an older process that speaks under it, this one ends");
+    throw std::runtime_error(agent.rival());
   }
   return process::kDone;
 }

@@ -8,6 +8,7 @@ namespace teamsight::fusion {
 namespace {
 
 constexpr std::size_t kMaxReplies = 16;
+constexpr Duration kTaken = std::chrono::seconds(3);  // three echoes
 constexpr Duration kPlausible = std::chrono::seconds(1);
 
 std::size_t index_of(RobotId robot) {
@@ -33,8 +34,9 @@ bus::ClockProbe ClockBook::next_probe(HostTime now) {
 void ClockBook::take_probe(const bus::ClockProbe& probe, HostTime now) {
   if (probe.id.robot == host_ && probe.id.boot == boot_) return;
   // A newer question of the same asker replaces the older: only one answer is of use.
-  std::erase_if(replies_,
-                [&](const bus::ClockReply& reply) { return reply.probe.robot == probe.id.robot; });
+  std::erase_if(replies_, [&](const bus::ClockReply& reply) {
+    return reply.probe.robot == probe.id.robot && reply.probe.boot == probe.id.boot;
+  });
   if (replies_.size() < kMaxReplies) replies_.push_back({probe.id, stamp_of(now)});
 }
 
@@ -50,9 +52,11 @@ void ClockBook::take_echo(const bus::ClockEcho& echo, HostTime now) {
   if (!is_robot(echo.id.robot) || echo.id.robot == host_) return;
   Peer& peer = peers_[index_of(echo.id.robot)];
   if (peer.boot != echo.id.boot) {
+    if (peer.boot != 0 && now - peer.heard < kTaken) return;
     peer.boot = echo.id.boot;
     peer.clock.forget();
   }
+  peer.heard = now;
   for (const bus::ClockReply& reply : echo.replies) {
     if (reply.probe.robot != host_ || reply.probe.boot != boot_) continue;
     const Question& question = questions_[reply.probe.sequence % questions_.size()];

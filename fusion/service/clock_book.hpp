@@ -29,13 +29,18 @@ class ClockBook {
   /// The next question, to be written at once.
   [[nodiscard]] bus::ClockProbe next_probe(HostTime now);
 
+  /// How many there were.
+  [[nodiscard]] std::uint32_t probes() const { return probes_; }
+
   /// Notes a peer's question; the own ones are left out.
   void take_probe(const bus::ClockProbe& probe, HostTime now);
 
   /// The answers to all questions since the last echo; nothing if there were none.
   [[nodiscard]] std::optional<bus::ClockEcho> next_echo(HostTime now);
 
-  /// Takes the answers to own questions in.
+  /// Takes the answers to own questions in. A peer that was started again is another one on the
+  /// same clock; it is listened to once the first has been silent for a while, because until then
+  /// it may be a second computer under the same id, with a clock of its own.
   void take_echo(const bus::ClockEcho& echo, HostTime now);
 
   /// Converts a stamp of any process on the computer of `robot`.
@@ -54,6 +59,7 @@ class ClockBook {
  private:
   struct Peer {
     std::uint32_t boot{0};
+    HostTime heard{};
     ClockOffset clock;
   };
 

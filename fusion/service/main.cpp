@@ -1,4 +1,5 @@
 // fusion/service/main.cpp: the program `teamsight-fusion`: one fusion instance on one robot.
+#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -51,6 +52,7 @@ int serve(const CommandLine& line) {
   service.attach(loop);
   process::report_to_supervisor(loop);
   loop.run();
+  if (service.has_yielded()) throw std::runtime_error(service.rival());
   return process::kDone;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bus/clock.hpp"
+#include "process/identity_guard.hpp"
 
 namespace teamsight::fusion {
 namespace {
@@ -22,6 +23,7 @@ constexpr Duration kLongestPeriod = milliseconds(30);
 constexpr Duration kQuickProbes = milliseconds(200);
 constexpr Duration kProbes = seconds(1);
 constexpr Duration kStartPhase = seconds(3);
+constexpr Duration kRivalTold = seconds(5);
 // When the air is full. Three of these still fit into a lease of 200 ms.
 constexpr Duration kSlowPeriod = milliseconds(62);
 constexpr double kJitter = 0.1;
@@ -97,6 +99,7 @@ Service::Service(bus::Participant& team,
 }
 
 void Service::attach(bus::Loop& loop) {
+  loop_ = &loop;
   loop.on_readable(sightings_.event_fd(), [this] { take_sightings(bus::host_now()); });
   loop.on_readable(worlds_.event_fd(), [this] { take_worlds(bus::host_now()); });
   loop.on_readable(probes_.event_fd(), [this] { take_probes(bus::host_now()); });
@@ -155,10 +158,30 @@ void Service::take_worlds(HostTime now) {
 
 void Service::take_probes(HostTime now) {
   probes_.take(now, [&](const bus::Sample<bus::ClockProbe>& sample) {
-    if (sample.message) clocks_.take_probe(*sample.message, now);
+    if (!sample.message) return;
+    clocks_.take_probe(*sample.message, now);
+    judge_rival(sample);
   });
   const HostTime sent = bus::host_now();
   if (const auto echo = clocks_.next_echo(sent)) echo_.write(*echo);
+}
+
+// Only a process that has just begun yields: later a forged packet could end it.
+void Service::judge_rival(const bus::Sample<bus::ClockProbe>& sample) {
+  const ObservationId own{identity_.robot, identity_.boot, clocks_.probes()};
+  const process::Rivalry rivalry = process::judge_rival(own, sample.message->id);
+  if (rivalry == process::Rivalry::kNone) return;
+  meter_.count("rival.probes");
+  if (rival_.empty()) {
+    rival_ = process::words_on_rival(identity_.robot, probes_.computer_of(sample.writer));
+  }
+  rival_heard_ = sample.received;
+  const bool is_new = sample.received - started_ < kStartPhase;
+  if (!is_new || rivalry != process::Rivalry::kYield || has_yielded_) return;
+  has_yielded_ = true;
+  diagnostics_.write(process::last_report(
+      "fusion/" + std::to_string(identity_.robot), identity_.robot, rival_, sample.received));
+  loop_->stop();
 }
 
 void Service::take_echoes(HostTime now) {
@@ -255,6 +278,10 @@ void Service::publish_diagnostics(HostTime now) {
     diagnostics.healthy = false;
     diagnostics.message = "no usable sightings for " + std::to_string(silent.count()) +
                           " s: are agents running on this domain?";
+  }
+  if (rival_heard_ != HostTime{} && now - rival_heard_ < kRivalTold) {
+    diagnostics.healthy = false;
+    diagnostics.message = rival_;
   }
   hearing_.tell(diagnostics, now);
   air_.tell(diagnostics);

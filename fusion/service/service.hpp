@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "bus/loop.hpp"
 #include "bus/participant.hpp"
@@ -37,11 +38,18 @@ class Service {
   /// Hangs the service's handlers into the loop, which must not run longer than the service lives.
   void attach(bus::Loop& loop);
 
+  /// Whether it stopped the loop because an older fusion has this robot's id.
+  [[nodiscard]] bool has_yielded() const { return has_yielded_; }
+
+  /// Who that is, and what to do.
+  [[nodiscard]] const std::string& rival() const { return rival_; }
+
  private:
   void take_sightings(HostTime now);
   void take_sample(const bus::Sightings& sightings, HostTime now);
   void take_worlds(HostTime now);
   void take_probes(HostTime now);
+  void judge_rival(const bus::Sample<bus::ClockProbe>& sample);
   void take_echoes(HostTime now);
   void take_commands(HostTime now);
   void turn(HostTime now);
@@ -81,6 +89,10 @@ class Service {
   HostTime probed_{};
   std::uint32_t hinted_{0};  // the command of the newest ball hint
   bool has_news_{false};
+  bus::Loop* loop_{nullptr};
+  bool has_yielded_{false};
+  std::string rival_;
+  HostTime rival_heard_{};
 };
 
 }  // namespace teamsight::fusion

@@ -62,9 +62,29 @@ TEST(ClockBook, ForgetsAPeerThatWasStartedAnew) {
   bus::ClockEcho restarted = echo_of({{1, 1, 1}, {}}, kNow);
   restarted.id.boot = 333;
 
-  book.take_echo(restarted, kNow + milliseconds(3));
+  book.take_echo(restarted, kNow + seconds(4));
 
-  EXPECT_FALSE(book.estimate(2, kNow + milliseconds(3)).has_value());
+  EXPECT_FALSE(book.estimate(2, kNow + seconds(4)).has_value());
+}
+
+TEST(ClockBook, IsNotLedAstrayByASecondComputerOfThatId) {
+  ClockBook book(1, 111);
+  book.take_echo(echo_of(book.next_probe(kNow), kNow + milliseconds(1)), kNow + milliseconds(2));
+  const bus::ClockProbe probe = book.next_probe(kNow + seconds(1));
+  bus::ClockEcho second = echo_of(probe, kNow + std::chrono::hours(7));
+  second.id.boot = 333;
+
+  book.take_echo(second, kNow + seconds(1) + milliseconds(2));
+
+  EXPECT_EQ(book.convert(2, peer_stamp(kNow), kNow + seconds(1))->time, kNow);
+}
+
+TEST(ClockBook, AnswersTwoComputersOfOneId) {
+  ClockBook answerer(2, 222);
+  answerer.take_probe(ClockBook(1, 111).next_probe(kNow), kNow);
+  answerer.take_probe(ClockBook(1, 333).next_probe(kNow), kNow);
+
+  EXPECT_EQ(answerer.next_echo(kNow)->replies.size(), 2U);
 }
 
 TEST(ClockBook, AnswersTheNewestQuestionOfEachPeerOnce) {

@@ -211,7 +211,7 @@ TEST_F(SimulatedMatch, EndsASecondAgentWithTheSameId) {
 
   EXPECT_EQ(second->wait_exit(40s), 2);
   const std::string words = second->err();
-  EXPECT_THAT(words, HasSubstr("robot id 1: found another process"));
+  EXPECT_THAT(words, HasSubstr("robot id 1 is used twice on this computer: end one of the two"));
   EXPECT_EQ(std::count(words.begin(), words.end(), '\n'), 1) << words;
   EXPECT_TRUE(agents_[0]->is_running());
 }

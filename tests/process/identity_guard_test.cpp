@@ -1,11 +1,11 @@
-// tests/agent/identity_guard_test.cpp: of two processes with one id exactly one goes.
-#include "agent/identity_guard.hpp"
+// tests/process/identity_guard_test.cpp: of two processes with one id exactly one goes.
+#include "process/identity_guard.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/property.hpp"
 
-namespace teamsight::agent {
+namespace teamsight::process {
 namespace {
 
 TEST(JudgeRival, TakesNoNoticeOfOthersAndOfItself) {
@@ -37,5 +37,14 @@ TEST(JudgeRival, IsDecidedTheOtherWayRoundByTheOther) {
   });
 }
 
+TEST(WordsOnRival, SayWhoTheOtherIsAndWhatToDo) {
+  EXPECT_EQ(words_on_rival(3, {"omni2", "192.168.1.12", false}),
+            "robot id 3 is used on omni2 (192.168.1.12) too: give one robot another id");
+  EXPECT_EQ(words_on_rival(3, {}),
+            "robot id 3 is used on another computer too: give one robot another id");
+  EXPECT_EQ(words_on_rival(3, {"omni1", "192.168.1.11", true}),
+            "robot id 3 is used twice on this computer: end one of the two");
+}
+
 }  // namespace
-}  // namespace teamsight::agent
+}  // namespace teamsight::process
