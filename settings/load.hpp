@@ -24,12 +24,14 @@ struct TeamSettings {
   std::filesystem::path security;      ///< folder of the speakers' folders; empty: security is off
   double ball_radius{0.11};            ///< m
   double robot_radius{0.25};           ///< m
+  std::vector<RobotId> robots;         ///< its robots' ids; empty: any may play
 };
 
 /// On which half a robot starts, where nothing else breaks the field's symmetry.
 enum class StartSide : std::uint8_t { kUnknown, kOwnHalf, kOpponentHalf };
 
-/// One robot (config/robots). Paths are absolute; the files exist.
+/// One robot (config/robots), which its team's list has, if there is one. Paths are absolute; the
+/// files exist.
 struct RobotSettings {
   RobotId id{kNobody};
   TeamSettings team;

@@ -1,6 +1,8 @@
 // settings/robot_file.cpp: robot, team and match files.
 #include <algorithm>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "config.pb.h"
 #include "settings/load.hpp"
@@ -22,6 +24,25 @@ StartSide side_of(config::RobotFile::StartSide side) {
   return StartSide::kUnknown;
 }
 
+template <class File>
+std::vector<RobotId> robots_in(const TextFile& text, const File& file) {
+  std::vector<RobotId> robots;
+  for (int i = 0; i < file.robot_size(); ++i) {
+    const auto id = static_cast<RobotId>(file.robot(i));
+    if (std::ranges::find(robots, id) != robots.end()) {
+      throw text.error(key_of("robot", i), std::to_string(id) + " again", "each robot once");
+    }
+    robots.push_back(id);
+  }
+  return robots;
+}
+
+std::string listed(const std::vector<RobotId>& robots) {
+  std::string all;
+  for (const RobotId robot : robots) all += (all.empty() ? "" : ", ") + std::to_string(robot);
+  return all;
+}
+
 }  // namespace
 
 TeamSettings load_team(const std::filesystem::path& path) {
@@ -36,6 +57,7 @@ TeamSettings load_team(const std::filesystem::path& path) {
   if (file.has_security()) team.security = text.resolve_folder("security", file.security());
   team.ball_radius = file.ball_radius_m();
   team.robot_radius = file.robot_radius_m();
+  team.robots = robots_in(text, file);
   return team;
 }
 
@@ -44,7 +66,14 @@ RobotSettings load_robot(const std::filesystem::path& path) {
   const TextFile text = TextFile::read(path, file);
   RobotSettings robot;
   robot.id = static_cast<RobotId>(file.id());
-  robot.team = load_team(text.resolve("team", file.team()));
+  const std::filesystem::path team_path = text.resolve("team", file.team());
+  robot.team = load_team(team_path);
+  const std::vector<RobotId>& team = robot.team.robots;
+  if (!team.empty() && std::ranges::find(team, robot.id) == team.end()) {
+    throw text.error("id",
+                     std::to_string(robot.id),
+                     "one of the robots that " + team_path.string() + " lists: " + listed(team));
+  }
   robot.camera = text.resolve("camera", file.camera());
   robot.strength = static_cast<std::uint16_t>(file.strength());
   robot.start_side = side_of(file.start_side());
@@ -87,13 +116,7 @@ MatchSettings load_match(const std::filesystem::path& path) {
   match.field = text.resolve("field", file.field());
   match.camera = text.resolve("camera", file.camera());
   if (file.has_team()) match.team = load_team(text.resolve("team", file.team()));
-  for (int i = 0; i < file.robot_size(); ++i) {
-    const auto id = static_cast<RobotId>(file.robot(i));
-    if (std::ranges::find(match.robots, id) != match.robots.end()) {
-      throw text.error(key_of("robot", i), std::to_string(id) + " again", "each robot once");
-    }
-    match.robots.push_back(id);
-  }
+  match.robots = robots_in(text, file);
   if (match.robots.empty()) throw text.error("robot", "no robot", "the id of at least one robot");
   match.opponents = file.opponents();
   match.seed = file.seed();

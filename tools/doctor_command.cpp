@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,6 +56,9 @@ class Ear {
     loop.run();
     seen.state_writers = states_.live_writers();
     for (const auto& [process, bps] : rates_) seen.team_bps += bps;
+    for (const auto& [writer, computer] : own_speakers_) {
+      if (!computer.is_this && !computer.address.empty()) seen.rival = bus::to_text(computer);
+    }
   }
 
  private:
@@ -63,6 +67,9 @@ class Ear {
     states_.take(now, [&](const bus::Sample<bus::RobotState>& sample) {
       if (!sample.message) return;
       const bus::RobotState& state = *sample.message;
+      if (state.id.robot == seen.robot && !own_speakers_.contains(sample.writer)) {
+        own_speakers_[sample.writer] = states_.computer_of(sample.writer);
+      }
       seen.heard[state.id.robot] = {
           state.frame_rate, state.camera_lost, state.calibration_drift, state.software_version};
     });
@@ -89,6 +96,7 @@ class Ear {
   bus::Reader<bus::Diagnostics> diagnostics_;
   bus::Reader<WorldModel> own_worlds_;
   std::map<std::string, double> rates_;
+  std::map<std::uint64_t, bus::Computer> own_speakers_;
 };
 
 double days_since(fs::file_time_type time) {
@@ -132,6 +140,8 @@ Observed look(const Options& options) {
   seen.camera_exists = fs::exists(options.device);
   seen.calibration_days = days_since(fs::last_write_time(robot.camera));
   seen.disk_free_gb = 1e-9 * static_cast<double>(fs::space(options.disk).available);
+  seen.expected.insert(robot.team.robots.begin(), robot.team.robots.end());
+  if (!options.expected.empty()) seen.expected.clear();
   for (const int id : options.expected) seen.expected.insert(static_cast<RobotId>(id));
   const std::string tag = options.domains.host_tag.empty()
                               ? process::default_host_tag(robot.team, robot.id)
@@ -165,7 +175,10 @@ void add_doctor_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("doctor", "Is this robot ready, and if not, what to do");
   command->add_option("--robot", options->robot, "robot file (config/robots)")->required();
-  command->add_option("--expect", options->expected, "robots that should be heard, e.g. 1,2,3")
+  command
+      ->add_option("--expect",
+                   options->expected,
+                   "robots that should be heard, e.g. 1,2,3; without: the team file's")
       ->delimiter(',')
       ->check(CLI::Range(1, static_cast<int>(kMaxRobotId)));
   command->add_option("--device", options->device, "the camera's")->capture_default_str();

@@ -30,6 +30,14 @@ std::string list(const std::set<RobotId>& robots) {
   return text.empty() ? "none" : text;
 }
 
+Finding identity(const Observed& seen) {
+  const std::string own = fmt::format("robot id {}", seen.robot);
+  if (seen.rival.empty()) return fine("id", own + ", used on no other computer");
+  return wrong("id",
+               own + " is used on " + seen.rival + " too",
+               "give one of the two robots another id, in its robot file");
+}
+
 Finding camera(const Observed& seen) {
   const auto own = seen.heard.find(seen.robot);
   if (own == seen.heard.end()) {
@@ -156,7 +164,8 @@ Finding disk(const Observed& seen) {
 }  // namespace
 
 std::vector<Finding> findings(const Observed& seen) {
-  return {camera(seen),
+  return {identity(seen),
+          camera(seen),
           calibration(seen),
           fusion(seen),
           multicast(seen),

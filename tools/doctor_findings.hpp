@@ -34,6 +34,7 @@ struct Observed {
   std::string camera_device;
   double calibration_days{0.0};  ///< age of the camera file
   std::map<RobotId, HeardRobot> heard;
+  std::string rival;                         ///< the other computer that speaks under its id
   std::set<RobotId> expected;                ///< whom the operator expects; empty: whoever is there
   std::uint32_t state_writers{0};            ///< of RobotState that discovery found
   std::optional<RobotId> leader;             ///< whose world model came over the air

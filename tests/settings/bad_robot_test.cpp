@@ -52,6 +52,15 @@ TEST_F(RobotFile, ComesWithItsTeamAndAbsolutePaths) {
   EXPECT_EQ(robot.team.host_profile, folder_.path() / "dds.xml");
 }
 
+TEST_F(RobotFile, OfARobotThatItsTeamLacksIsRefused) {
+  (void)folder_.write("team", std::string(kTeam) + "robot: [1, 2, 5]");
+
+  EXPECT_EQ(complaint_about_robot("id: 3 team: \"team\" camera: \"eye\" strength: 1"),
+            place("robot", ":1:1: key 'id': found 3, expected one of the robots that ") +
+                place("team", " lists: 1, 2, 5"));
+  EXPECT_EQ(complaint_about_robot("id: 5 team: \"team\" camera: \"eye\" strength: 1"), "");
+}
+
 TEST_F(RobotFile, WithIdZeroIsRefused) {
   EXPECT_EQ(complaint_about_robot("id: 0 team: \"team\" camera: \"eye\" strength: 1"),
             place("robot", ":1:1: key 'id': found 0, expected a whole number from 1 to 16"));

@@ -53,6 +53,14 @@ TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
   }
 }
 
+TEST(Doctor, SaysOnWhichOtherComputerTheIdIsUsed) {
+  Observed twin = healthy();
+  twin.rival = "omni2 (192.168.1.12)";
+
+  expect_only(twin, "id", "give one of the two robots another id");
+  EXPECT_EQ(about(twin, "id").found, "robot id 3 is used on omni2 (192.168.1.12) too");
+}
+
 TEST(Doctor, SaysWhatToDoAboutTheCamera) {
   Observed lost = healthy();
   lost.heard[3].camera_lost = true;
