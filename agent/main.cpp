@@ -143,14 +143,15 @@ std::optional<bus::Computer> find_rival(bus::Reader<bus::RobotState>& peers, Rob
   return rival;
 }
 
-// Waits until a rival has had the time to be heard, or the process is to end.
+// Waits until a rival has had the time to be heard, and the coach the time to discover this
+// process; or the process is to end.
 void refuse_second(AgentBus& topics, RobotId robot, const bus::Loop& loop) {
   const HostTime until = bus::host_now() + kListenForRivals;
   std::optional<bus::Computer> rival;
-  while (!rival.has_value() && loop.keeps_running() && bus::host_now() < until) {
+  while (loop.keeps_running() && bus::host_now() < until) {
     pollfd waiting{topics.peers.event_fd(), POLLIN, 0};
     ::poll(&waiting, 1, 20);
-    rival = find_rival(topics.peers, robot);
+    if (const auto heard = find_rival(topics.peers, robot)) rival = heard;
   }
   if (!rival.has_value()) return;
   const std::string words = process::words_on_rival(robot, *rival);

@@ -23,6 +23,7 @@ constexpr Duration kLongestPeriod = milliseconds(30);
 constexpr Duration kQuickProbes = milliseconds(200);
 constexpr Duration kProbes = seconds(1);
 constexpr Duration kStartPhase = seconds(3);
+constexpr Duration kDiscovered = milliseconds(800);
 constexpr Duration kRivalTold = seconds(5);
 // When the air is full. Three of these still fit into a lease of 200 ms.
 constexpr Duration kSlowPeriod = milliseconds(62);
@@ -177,10 +178,14 @@ void Service::judge_rival(const bus::Sample<bus::ClockProbe>& sample) {
   }
   rival_heard_ = sample.received;
   const bool is_new = sample.received - started_ < kStartPhase;
-  if (!is_new || rivalry != process::Rivalry::kYield || has_yielded_) return;
-  has_yielded_ = true;
-  diagnostics_.write(process::last_report(
-      "fusion/" + std::to_string(identity_.robot), identity_.robot, rival_, sample.received));
+  has_yielded_ = has_yielded_ || (is_new && rivalry == process::Rivalry::kYield);
+}
+
+// Once the others have discovered it: what it says last is for the coach.
+void Service::end_second(HostTime now) {
+  if (!has_yielded_ || now - started_ < kDiscovered) return;
+  const std::string process = "fusion/" + std::to_string(identity_.robot);
+  diagnostics_.write(process::last_report(process, identity_.robot, rival_, now));
   loop_->stop();
 }
 
@@ -211,6 +216,7 @@ void Service::turn(HostTime now) {
     publish_world(now, leads);
   }
   publish_probe(now);
+  end_second(now);
 }
 
 void Service::publish_world(HostTime now, bool leads) {

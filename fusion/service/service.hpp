@@ -50,6 +50,7 @@ class Service {
   void take_worlds(HostTime now);
   void take_probes(HostTime now);
   void judge_rival(const bus::Sample<bus::ClockProbe>& sample);
+  void end_second(HostTime now);
   void take_echoes(HostTime now);
   void take_commands(HostTime now);
   void turn(HostTime now);

@@ -10,6 +10,7 @@ namespace {
 
 using testing::kPatience;
 using testing::own_domain;
+using testing::profile_path;
 using testing::wait_until;
 
 /// bus_test_child "patient" in a network namespace of its own, where lo is down until `go` exists.
@@ -56,6 +57,21 @@ TEST_F(NoInterface, EndsWithTheReasonWhenTheProcessIsToldToStop) {
   EXPECT_TRUE(wait_until([&] { return child.err().find("loopback.xml: ") != std::string::npos; },
                          kPatience))
       << child.err();
+}
+
+TEST_F(NoInterface, LoopbackIsNoneToAProfileThatChoosesItsCard) {
+  const std::string command = "ip link set lo up; exec " + std::string(BUS_TEST_CHILD) +
+                              " patient " + profile_path("wired.xml") + " " +
+                              std::to_string(domain_.domain_id) + " " + domain_.tag;
+
+  test::ChildProcess child({"/usr/bin/unshare", "-rn", "/bin/sh", "-c", command});
+
+  const auto says_why = [&] {
+    return child.err().find("wired.xml: no network card is up with an address") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(wait_until(says_why, kPatience)) << child.err();
+  EXPECT_EQ(child.out(), "trying\n");
 }
 
 }  // namespace

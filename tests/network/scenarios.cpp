@@ -307,6 +307,7 @@ const std::vector<Scenario>& all_scenarios() {
        security},
       {"attack", "a stranger replays, truncates and forges; security off", attack_off},
       {"attack-secured", "the same with security on", attack_on},
+      {"twin", "a second computer with the robot file of a first one", twin},
       {"flood", "a host floods the team's ports, 1000 packets a second", flood},
   };
   return all;

@@ -37,6 +37,9 @@ inline void PrintTo(const Scenario& scenario, std::ostream* out) {
 [[nodiscard]] Outcome attack_off(const ScenarioOptions& options);
 [[nodiscard]] Outcome attack_on(const ScenarioOptions& options);
 
+/// Of scenarios_twin.cpp.
+[[nodiscard]] Outcome twin(const ScenarioOptions& options);
+
 /// Random faults, one after the other; then the team must be whole, and no process have grown.
 [[nodiscard]] Outcome soak(const ScenarioOptions& options, double minutes);
 

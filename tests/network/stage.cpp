@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "bus/profile.hpp"
 
@@ -10,6 +11,7 @@ namespace teamsight::network {
 namespace {
 
 constexpr const char* kCard = "wlan0";
+const std::string kNoTopic = "discovery, acknowledgements, other";
 
 double ms_since(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-6 * static_cast<double>(to_ns - from_ns);
@@ -76,7 +78,7 @@ milliseconds Stage::observed(milliseconds base) const {
 }
 
 double Stage::start() {
-  const std::int64_t begin = now_ns();
+  const std::int64_t begin = started_ns_ = now_ns();
   team.start_all();
   const std::uint8_t all = everybody(team.robots());
   const double took = await(Channel::kChoice, begin, seconds(10), [all](const Sight& sight) {
@@ -89,6 +91,7 @@ double Stage::start() {
     return sight.maker == strongest;
   });
   outcome.expect(led >= 0, "the strongest leads: " + team.complaints());
+  wire_at_start_ = hosts.network().bytes_by_writer();
   double sent = 0.0;
   for (std::size_t host = 0; host < hosts.count(); ++host) {
     sent += static_cast<double>(hosts.network().counters(host).bytes);
@@ -165,18 +168,47 @@ double Stage::report_wire(milliseconds duration) {
   return mbit;
 }
 
-void Stage::report_topics() {
-  const auto topics = team.writers(1);
-  std::map<std::string, double> sums;
-  for (const auto& [writer, bytes] : wire_after_) {
-    const auto topic = topics.find(writer);
-    const auto before = wire_before_.find(writer);
-    const std::uint64_t old = before == wire_before_.end() ? 0 : before->second;
-    sums[topic == topics.end() ? "discovery, acknowledgements, other" : topic->second] +=
-        static_cast<double>(bytes - old) / wire_seconds_;
+// One topic's row: of each host in the stretch of calm, of all together, and of all at the start.
+std::string Stage::topic_line(const std::string& topic,
+                              const std::map<WriterGuid, std::string>& topics) const {
+  const auto bytes = [&](const BytesByWriter& wire, std::size_t host) {
+    double sum = 0.0;
+    for (const auto& [writer, count] : wire.at(host)) {
+      const auto named = topics.find(writer);
+      const std::string& name = named == topics.end() ? kNoTopic : named->second;
+      if (name == topic) sum += 1e-3 * static_cast<double>(count);
+    }
+    return sum;
+  };
+  std::array<char, 32> text{};
+  std::string line;
+  double together = 0.0;
+  double at_start = 0.0;
+  for (std::size_t host = 0; host < hosts.count(); ++host) {
+    const double rate = (bytes(wire_after_, host) - bytes(wire_before_, host)) / wire_seconds_;
+    std::snprintf(text.data(), text.size(), "%7.2f", rate);
+    line += text.data();
+    together += rate;
+    at_start += bytes(wire_at_start_, host);
   }
-  outcome.say("of that by topic, kB/s of the whole team:");
-  for (const auto& [topic, rate] : sums) outcome.say("  " + topic + ": " + number(1e-3 * rate, 2));
+  std::snprintf(text.data(), text.size(), "%9.2f %9.1f  ", together, at_start);
+  return line + text.data() + topic;
+}
+
+void Stage::report_topics() {
+  const double seconds_so_far = 1e-3 * ms_since(started_ns_, now_ns());
+  double bytes = 0.0;
+  for (std::size_t host = 0; host < hosts.count(); ++host) {
+    bytes += static_cast<double>(hosts.network().counters(host).bytes);
+  }
+  outcome.say(
+      "on the wire since the first process began: " + number(8e-6 * bytes / seconds_so_far, 2) +
+      " Mbit/s on average over " + number(seconds_so_far, 1) + " s");
+  const auto topics = team.writers(1);
+  std::set<std::string> names{kNoTopic};
+  for (const auto& [writer, topic] : topics) names.insert(topic);
+  outcome.say("kB/s per host, kB/s together, and kB together until all were whole, by topic:");
+  for (const std::string& name : names) outcome.say(topic_line(name, topics));
 }
 
 double Stage::await(Channel channel, std::int64_t from_ns, milliseconds bound, const Claim& claim) {

@@ -50,7 +50,8 @@ class Stage {
   /// Bytes per robot and team on the wire over a stretch of calm or foul weather.
   double report_wire(milliseconds duration);
 
-  /// What the last `report_wire` saw, by topic. Ends robot 1's agent, which knows the names.
+  /// What the last `report_wire` saw and what the start took, by topic and host, and the mean of
+  /// everything since the first process began. Ends robot 1's agent, which knows the names.
   void report_topics();
 
   /// Waits until the claim holds for good on every robot's channel, at most `bound`; says when,
@@ -59,8 +60,13 @@ class Stage {
 
  private:
   double length_;
-  std::map<WriterGuid, std::uint64_t> wire_before_;
-  std::map<WriterGuid, std::uint64_t> wire_after_;
+  std::string topic_line(const std::string& topic,
+                         const std::map<WriterGuid, std::string>& topics) const;
+
+  BytesByWriter wire_at_start_;
+  BytesByWriter wire_before_;
+  BytesByWriter wire_after_;
+  std::int64_t started_ns_{0};
   double wire_seconds_{1.0};
 };
 

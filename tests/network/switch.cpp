@@ -46,7 +46,8 @@ struct Switch::Impl {
         groups(taps.size(), 0),
         is_cut(taps.size(), false),
         in_burst(taps.size() * taps.size(), false),
-        counters(taps.size()) {
+        counters(taps.size()),
+        by_writer(taps.size()) {
     for (std::size_t port = 0; port < taps.size(); ++port) watch(taps[port], port);
     watch(wake, taps.size());
     thread = std::thread([this] { run(); });
@@ -106,7 +107,7 @@ struct Switch::Impl {
   void take(std::size_t from, std::vector<std::uint8_t> bytes) {
     ++counters[from].frames;
     counters[from].bytes += bytes.size();
-    share_out(bytes.data(), bytes.size(), by_writer);
+    share_out(bytes.data(), bytes.size(), by_writer[from]);
     if (onlooker) onlooker(bytes.data(), bytes.size());
     const auto frame = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
     Address to{};
@@ -179,7 +180,7 @@ struct Switch::Impl {
   std::vector<bool> in_burst;  // by (from, to)
   std::vector<PortCounters> counters;
   std::map<Address, std::size_t> known;
-  std::map<WriterGuid, std::uint64_t> by_writer;
+  BytesByWriter by_writer;
   std::function<void(const std::uint8_t*, std::size_t)> onlooker;
   std::priority_queue<Waiting> waiting;
   std::uint64_t order{0};
@@ -211,7 +212,7 @@ PortCounters Switch::counters(std::size_t port) const {
   return impl_->counters.at(port);
 }
 
-std::map<WriterGuid, std::uint64_t> Switch::bytes_by_writer() const {
+BytesByWriter Switch::bytes_by_writer() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->by_writer;
 }

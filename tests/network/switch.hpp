@@ -36,6 +36,9 @@ struct PortCounters {
 /// One writer of a topic as it is named on the wire: participant's prefix and entity id.
 using WriterGuid = std::array<std::uint8_t, 16>;
 
+/// Of what each port sent.
+using BytesByWriter = std::vector<std::map<WriterGuid, std::uint64_t>>;
+
 /// Learns addresses and forwards; runs on a thread of its own. Its methods are for one other
 /// thread.
 class Switch {
@@ -58,7 +61,7 @@ class Switch {
 
   /// Bytes of whole frames by the writer that each RTPS submessage in them names; shares of the
   /// headers in equal parts. What names no writer of data stands under all zeros.
-  [[nodiscard]] std::map<WriterGuid, std::uint64_t> bytes_by_writer() const;
+  [[nodiscard]] BytesByWriter bytes_by_writer() const;
 
   /// Frames as they come in are handed to `onlooker` as well, on the switch's thread; null ends
   /// that.
