@@ -14,14 +14,16 @@ struct Feet {
   double radius{0.0};                            ///< m
 };
 
+/// All teammates and obstacles that can be known at once.
 inline constexpr std::size_t kMaxFeet = 40;
 using FeetList = InlineList<Feet, kMaxFeet>;
 
 /// The robot that most likely touches a ball.
 struct Touch {
-  double probability{0.0};  ///< that it does, in [0, 1]
-  Eigen::Vector2d away{
-      Eigen::Vector2d::Zero()};  ///< mean of the unit vector from it to the ball, in F
+  /// That it does, in [0, 1].
+  double probability{0.0};
+  /// Mean of the unit vector from it to the ball, in F.
+  Eigen::Vector2d away{Eigen::Vector2d::Zero()};
 };
 
 /// @param ball_F  the ball's place; m

@@ -107,6 +107,7 @@ double variance_of(const Eigen::Matrix2d& cov) {
 
 /// Where the robots stand that may kick a ball: teammates that are believed, and obstacles.
 FeetList feet_at(const State& state, HostTime exposure, const Parameters& parameters) {
+  static_assert(kMaxFeet >= kMaxRobotId + kMaxTracks);
   FeetList feet;
   for (const Teammate& teammate : state.teammates) {
     if (teammate.posture.time == kNever ||

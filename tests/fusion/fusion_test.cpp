@@ -14,19 +14,12 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test::at_second;
 using test::Eye;
+using test::kBall;
+using test::kLeftOfBall;
+using test::kRightOfBall;
+using test::make_fusion;
+using test::see_the_ball;
 using test::watch;
-
-const Pose<Field, Robot> kLeftOfBall(-2.0, 0.0, 0.0);
-const Pose<Field, Robot> kRightOfBall(3.0, 1.0, 2.0);
-const Point<Field> kBall{1.0, 0.5};
-
-Fusion make_fusion() {
-  return Fusion(Parameters{}, test::plain_field());
-}
-
-void see_the_ball(Eye& eye) {
-  eye.see_ball(kBall);
-}
 
 TEST(Fusion, KnowsNothingBeforeTheFirstObservation) {
   const WorldModel world = make_fusion().world_at(at_second(0.0));

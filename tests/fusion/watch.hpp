@@ -1,4 +1,4 @@
-// tests/fusion/watch.hpp: a robot that looks for a while.
+// tests/fusion/watch.hpp: two robots that look at one ball for a while.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,18 @@
 #include "tests/fusion/scenario.hpp"
 
 namespace teamsight::fusion::test {
+
+inline const Pose<Field, Robot> kLeftOfBall(-2.0, 0.0, 0.0);
+inline const Pose<Field, Robot> kRightOfBall(3.0, 1.0, 2.0);
+inline const Point<Field> kBall{1.0, 0.5};
+
+inline Fusion make_fusion() {
+  return Fusion(Parameters{}, plain_field());
+}
+
+inline void see_the_ball(Eye& eye) {
+  eye.see_ball(kBall);
+}
 
 /// One frame every 33 ms in [from, to); `see` adds what is seen.
 template <class See>
