@@ -142,8 +142,8 @@ void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
                               ? step_flying(belief.state.mean, dt, motion)
                               : step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);
     take_step(belief, step, motion);
-    if (const auto stopped = step_stopped(belief.state.mean, motion)) {
-      take_step(belief, *stopped, motion);
+    if (const auto rebound = step_rebound(belief.state.mean, motion)) {
+      take_step(belief, *rebound, motion);
     }
   }
 }

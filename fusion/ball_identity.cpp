@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/uncertainty.hpp"
+#include "fusion/ball_choice.hpp"
 
 namespace teamsight::fusion {
 namespace {
@@ -16,26 +16,20 @@ bool contains(const BallKeys& keys, std::uint32_t key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-bool is_within_reach(const BallTrack& lost, const BallTrack& found) {
-  constexpr double kGate = 0.997;
-  const BallMoments a = moments_of(lost.beliefs);
-  const BallMoments b = moments_of(found.beliefs);
-  const Eigen::Vector2d gap_F = a.mean.head<2>() - b.mean.head<2>();
-  const Eigen::Matrix2d cov = a.cov.topLeftCorner<2, 2>() + b.cov.topLeftCorner<2, 2>();
-  return squared_mahalanobis(gap_F, cov) <= chi_square_gate(2, kGate);
-}
-
-/// Whether `found` may be what `lost` was: seen first after the other was seen last.
-bool may_be(const BallTrack& lost, const BallTrack& found) {
+/// Whether `found` is what `lost` was: seen first after the other was seen last, where that may be.
+bool may_be(const BallTrack& lost, const BallTrack& found, const ChoiceParameters& parameters) {
+  constexpr double kClear = 3.0;  // log-odds over its being a false one: 95 %
   return lost.book.is_confirmed && found.book.born - lost.book.last_hit >= kShortestLoss &&
-         is_within_reach(lost, found);
+         log_explained(lost, found, parameters) >= kClear;
 }
 
 /// The track that `found` goes on from, or the list's size.
-std::size_t forerunner_of(const BallTrack& found, const BallList& balls) {
+std::size_t forerunner_of(const BallTrack& found,
+                          const BallList& balls,
+                          const ChoiceParameters& parameters) {
   std::size_t latest = balls.size();
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (!may_be(balls[i], found)) continue;
+    if (!may_be(balls[i], found, parameters)) continue;
     if (latest == balls.size() || balls[i].book.last_hit > balls[latest].book.last_hit) latest = i;
   }
   return latest;
@@ -59,13 +53,16 @@ BallKeys confirmed_keys(const BallList& balls) {
   return keys;
 }
 
-std::uint32_t recognise(BallList& balls, const BallKeys& before, std::uint32_t lost) {
+std::uint32_t recognise(BallList& balls,
+                        const BallKeys& before,
+                        std::uint32_t lost,
+                        const ChoiceParameters& parameters) {
   const BallKeys after = confirmed_keys(balls);
   lost = last_lost(lost, before, after);
   for (std::size_t i = balls.size(); i-- > 0;) {
     TrackBook& book = balls[i].book;
     if (!book.is_confirmed || contains(before, book.key)) continue;
-    if (const std::size_t old = forerunner_of(balls[i], balls); old < balls.size()) {
+    if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
       book.key = balls[old].book.key;
       balls.erase(old);
       return lost;

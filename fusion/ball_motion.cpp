@@ -63,19 +63,24 @@ BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion
   return step;
 }
 
-std::optional<BallStep> step_stopped(const BallVector& mean, const BallMotion& motion) {
+std::optional<BallStep> step_rebound(const BallVector& mean, const BallMotion& motion) {
   const Eigen::Vector2d from_centre = mean.head<2>() - motion.carpet_centre;
   const Eigen::Vector2d kept =
       from_centre.cwiseMax(-motion.carpet_reach).cwiseMin(motion.carpet_reach);
   if (kept == from_centre) return std::nullopt;
-  const double var = motion.sigma_stopped * motion.sigma_stopped;
   BallStep step;
-  step.mean << motion.carpet_centre + kept, motion.radius, 0.0, 0.0, 0.0;
-  step.transition.setZero();
-  step.transition.topLeftCorner<2, 2>().setIdentity();
+  step.mean = mean;
+  step.mean.head<2>() = motion.carpet_centre + kept;
+  step.transition.setIdentity();
+  const double doubt = motion.rebound_doubt * mean.segment<2>(3).norm();
   step.disturbance.setZero();
-  step.disturbance(3, 3) = step.disturbance(4, 4) = var;
-  step.lands = true;
+  step.disturbance(3, 3) = step.disturbance(4, 4) = doubt * doubt;
+  for (const int axis : {0, 1}) {
+    const bool goes_out = (from_centre(axis) - kept(axis)) * mean(3 + axis) > 0.0;
+    if (!goes_out) continue;
+    step.transition(3 + axis, 3 + axis) = -motion.rebound_kept;
+    step.mean(3 + axis) *= -motion.rebound_kept;
+  }
   return step;
 }
 

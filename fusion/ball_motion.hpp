@@ -37,10 +37,11 @@ struct BallMotion {
   double sigma_climb{2.0};    ///< m/s
   double fastest{12.0};       ///< m/s; no robot's kick is faster
   double sigma_floor{0.01};   ///< m, of the height of one that rolls
-  /// A ball that leaves the carpet is stopped there: by a wall, a net, a person.
+  /// At the edge of the carpet there is a board, a net, a person: a ball comes back slower.
   Eigen::Vector2d carpet_centre{0.0, 0.0};  ///< in F; m
   Eigen::Vector2d carpet_reach{1e3, 1e3};   ///< half its length and width; m
-  double sigma_stopped{1.0};                ///< m/s per floor component, of the velocity afterwards
+  double rebound_kept{0.4};   ///< of the speed towards the edge: between none and most
+  double rebound_doubt{0.3};  ///< of the speed: what the edge does besides
 };
 
 /// One step of one mode: where the mean goes, how errors go, and what is added to them.
@@ -60,10 +61,10 @@ struct BallStep {
 /// Ballistic with drag; bounces where it would come through the floor.
 [[nodiscard]] BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion);
 
-/// One that has left the carpet: back on its edge, with next to no velocity.
+/// One that has left the carpet: back on its edge, on its way inwards.
 ///
 /// @return nothing if it is on the carpet
-[[nodiscard]] std::optional<BallStep> step_stopped(const BallVector& mean,
+[[nodiscard]] std::optional<BallStep> step_rebound(const BallVector& mean,
                                                    const BallMotion& motion);
 
 /// What a kick makes of a ball.

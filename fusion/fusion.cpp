@@ -93,10 +93,9 @@ bool contains(const List& tracks, std::uint32_t key) {
 Fusion::Fusion(const Parameters& parameters, const FieldModel& field)
     : setting_{parameters, field} {
   BallMotion& motion = setting_.parameters.ball_motion;
-  const double beyond = field.surround + parameters.carpet_margin;
   motion.radius = parameters.ball_radius;
   motion.carpet_centre = field.centre.vector();
-  motion.carpet_reach << 0.5 * field.length + beyond, 0.5 * field.width + beyond;
+  motion.carpet_reach << 0.5 * field.length + field.surround, 0.5 * field.width + field.surround;
   slots_.reserve(kMaxHeld);
   order_.reserve(kMaxHeld);
   spare_.reserve(kMaxHeld);

@@ -47,6 +47,7 @@ struct TrackParameters {
   TrackParameters ball;
   ball.sigma_speed_at_birth = 4.0;
   ball.detection_probability = 0.6;
+  ball.death_age = std::chrono::seconds(6);
   ball.max_sigma_published = 3.0;  // even a rough memory of the ball says where to look
   return ball;
 }
@@ -102,6 +103,16 @@ struct TrustParameters {
   double jump{0.5};                               ///< m: a posture that jumps so far is held
 };
 
+/// What is to be expected of false balls, see fusion/ball_choice.hpp.
+struct ChoiceParameters {
+  /// So many in a square metre beside a ball that is hidden: five robots, each with one a minute,
+  /// two seconds, 170 m^2 that they see.
+  double false_density{1e-3};
+  double false_speed{2.0};  ///< m/s per component, of false balls: they move with who sees them
+  Duration false_life{std::chrono::milliseconds(1500)};  ///< mean of how long one is seen
+  double most_for_lasting{3.0};                          ///< log-odds; as much as one robot's vote
+};
+
 /// How far a hint reaches, and for how long.
 struct HintParameters {
   /// It weighs as much as so many robots that watch the ball now, and from then on ever less.
@@ -117,6 +128,7 @@ struct HintParameters {
 struct Parameters {
   TrackParameters ball{default_ball_parameters()};
   BallMotion ball_motion;
+  ChoiceParameters choice;
   HintParameters hint;
   TrustParameters trust;
   TrackParameters obstacle{default_obstacle_parameters()};

@@ -148,7 +148,7 @@ std::size_t take_sighted(State& state,
   const std::uint32_t unused =
       take_in(state.balls, {sighted.balls, observation.balls, feet}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
-  state.lost_ball = recognise(state.balls, known, state.lost_ball);
+  state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters.choice);
   return sighted.balls.size() + sighted.obstacles.size() - unused;
 }
 

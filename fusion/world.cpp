@@ -1,10 +1,10 @@
 // fusion/world.cpp: from what fusion believes to the world model (fusion/state.hpp).
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 
+#include "fusion/ball_choice.hpp"
 #include "fusion/state.hpp"
 
 namespace teamsight::fusion {
@@ -109,80 +109,30 @@ void keep_most_probable(List& list, std::size_t count) {
   if (list.size() > count) list.resize(count);
 }
 
-/// Whether a ball has been seen by two robots, or for longer than false ones last.
-bool is_proven(const TrackBook& book) {
-  constexpr Duration kLongestFalse = std::chrono::milliseconds(1500);
-  return book.last_hit - book.born >= kLongestFalse ||
-         std::popcount(robots_within(book.supported, book.last_hit, kLongestFalse)) > 1;
+bool is_shown(const BallTrack& track,
+              const WorldBall& ball,
+              HostTime now,
+              const Parameters& parameters) {
+  return is_listed(track.book, now, parameters.ball) &&
+         is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball.max_sigma_published);
 }
 
-struct RankedBall {
-  WorldBall ball;
-  double watchers{0.0};  // robots that see it now, and what counts like some
-  bool is_proven{false};
-};
-
-/// How many robots that watch now it outweighs that a ball has been watched before and must still
-/// lie or roll where it is thought: one that is hidden does not give way to what a single robot has
-/// just begun to see.
-constexpr double kStanding = 1.5;
-
-bool is_still_there(const RankedBall& one) {
-  constexpr double kKnown = 0.5;  // m; beyond that a kick may have led it anywhere
-  return one.is_proven && is_placed(one.ball.cov_p.topLeftCorner<2, 2>(), kKnown);
-}
-
-/// Whether no kick can have carried the one ball to the other since it was seen.
-bool is_out_of_reach(const WorldBall& from, const WorldBall& to, const BallMotion& motion) {
-  constexpr double kSlack = 1.0;  // m
-  const Eigen::Vector2d gap_F = (to.p_FB.vector() - from.p_FB.vector()).head<2>();
-  return gap_F.norm() > kSlack + motion.fastest * to_seconds(from.age);
-}
-
-RankedBall ranked(const State& state,
-                  const BallTrack& track,
-                  HostTime now,
-                  const Parameters& parameters) {
-  constexpr Duration kNow = std::chrono::milliseconds(200);
-  RankedBall one;
-  one.ball = world_ball(track, now, parameters);
-  one.is_proven = is_proven(track.book);
-  one.watchers = std::popcount(robots_within(track.book.supported, now, kNow)) +
-                 weight_of(state.hinted, track.book.key, now, parameters.hint);
-  if (is_still_there(one)) one.watchers += kStanding;
-  return one;
-}
-
-/// What one robot alone sees where no proven ball can be is behind those.
-void put_back_unreachable(std::vector<RankedBall>& balls, const BallMotion& motion) {
-  for (RankedBall& one : balls) {
-    if (one.is_proven) continue;
-    const bool is_elsewhere = std::any_of(balls.begin(), balls.end(), [&](const RankedBall& other) {
-      return other.is_proven && is_out_of_reach(other.ball, one.ball, motion);
-    });
-    if (is_elsewhere) one.watchers -= kStanding;
-  }
-}
-
-/// The ball that most robots see now comes first, then the most probable: a robot that is alone
-/// with what it sees is more often wrong than all others. A hint counts as many robots.
+/// In the order of choice. Where the first choice is known too badly to be shown, what comes after
+/// it is probably false: that is shown only if more than one robot's word stands for it.
 std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parameters& parameters) {
-  std::vector<RankedBall> list;
-  for (const BallTrack& track : state.balls) {
-    if (!is_listed(track.book, now, parameters.ball)) continue;
-    const RankedBall one = ranked(state, track, now, parameters);
-    if (!is_placed(one.ball.cov_p.topLeftCorner<2, 2>(), parameters.ball.max_sigma_published))
-      continue;
-    list.push_back(one);
-  }
-  put_back_unreachable(list, parameters.ball_motion);
-  std::stable_sort(list.begin(), list.end(), [](const RankedBall& a, const RankedBall& b) {
-    return a.watchers != b.watchers ? a.watchers > b.watchers : a.ball.existence > b.ball.existence;
-  });
-  if (list.size() > kMaxWorldBalls) list.resize(kMaxWorldBalls);
   std::vector<WorldBall> balls;
-  balls.reserve(list.size());
-  for (const RankedBall& one : list) balls.push_back(one.ball);
+  bool is_in_shadow = false;
+  for (const std::size_t i : order_of_choice(state.balls, state.hinted, now, parameters)) {
+    const BallTrack& track = state.balls[i];
+    if (is_in_shadow && log_odds_of(track.book) <= parameters.ball.most_vote) continue;
+    const WorldBall ball = world_ball(track, now, parameters);
+    if (is_shown(track, ball, now, parameters)) {
+      balls.push_back(ball);
+    } else {
+      is_in_shadow = true;
+    }
+  }
+  if (balls.size() > kMaxWorldBalls) balls.resize(kMaxWorldBalls);
   return balls;
 }
 

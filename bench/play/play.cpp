@@ -36,6 +36,7 @@ double normal(Random& random, double sigma) {
 Play::Play(const PlayParameters& parameters, const FieldModel& field, std::uint64_t seed)
     : parameters_(parameters),
       half_(0.5 * field.length, 0.5 * field.width),
+      wall_(half_.array() + field.surround),
       random_(seed) {
   const int all = parameters.own + parameters.opponents;
   for (int i = 0; i < all; ++i) {
@@ -169,8 +170,7 @@ void Play::move(TrueBall& ball) const {
     ++ball.bounces;
   }
   for (int axis = 0; axis < 2; ++axis) {
-    const double wall = half_(axis) + 0.5;
-    if (std::abs(ball.p_F(axis)) <= wall || ball.p_F(axis) * ball.v_F(axis) < 0.0) continue;
+    if (std::abs(ball.p_F(axis)) <= wall_(axis) || ball.p_F(axis) * ball.v_F(axis) < 0.0) continue;
     ball.v_F(axis) *= -0.5;
     ++ball.kicks;
   }

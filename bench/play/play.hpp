@@ -56,7 +56,8 @@ struct PlayParameters {
 
 /// Everybody runs to places drawn at random; of each team the nearest goes for the ball and kicks
 /// it on arrival. Rolling: 0.45 m/s^2 of friction; flying: drag 0.012/m; bounces keep 0.65 of the
-/// climb and 0.8 of the rest. Steps of 10 ms.
+/// climb and 0.8 of the rest. At the edge of the carpet a wall sends it back at half its speed.
+/// Steps of 10 ms.
 class Play {
  public:
   static constexpr double kStep = 0.01;       // s
@@ -80,6 +81,7 @@ class Play {
 
   PlayParameters parameters_;
   Eigen::Vector2d half_;
+  Eigen::Vector2d wall_;  // half the carpet
   Random random_;
   Moment moment_;
   std::vector<Eigen::Vector2d> targets_;

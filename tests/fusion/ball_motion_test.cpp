@@ -84,23 +84,28 @@ TEST(KickedBall, GoesAwayFromTheFootThatKicksIt) {
   EXPECT_NEAR(kick.disturbance(4, 4), 0.363 * var, 0.01);
 }
 
-TEST(BallThatLeavesTheCarpet, IsStoppedAtItsEdge) {
+TEST(BallThatLeavesTheCarpet, ComesBackFromItsEdgeSlower) {
   BallMotion motion = kMotion;
   motion.carpet_centre << 0.0, 1.0;
   motion.carpet_reach << 12.0, 8.0;
   BallVector ball = moving(1.5, 6.0, 2.0);
-  ASSERT_FALSE(step_stopped(ball, motion).has_value());
+  ASSERT_FALSE(step_rebound(ball, motion).has_value());
   ball(0) = 12.4;
 
-  const auto stopped = step_stopped(ball, motion);
+  const auto rebound = step_rebound(ball, motion);
 
-  ASSERT_TRUE(stopped.has_value());
-  EXPECT_EQ(stopped->mean(0), 12.0);
-  EXPECT_EQ(stopped->mean(1), 0.0);
-  EXPECT_EQ(stopped->mean(2), motion.radius);
-  EXPECT_EQ(stopped->mean(3), 0.0);
-  EXPECT_GT(stopped->disturbance(3, 3), 0.5);
-  EXPECT_TRUE(stopped->lands);
+  ASSERT_TRUE(rebound.has_value());
+  EXPECT_EQ(rebound->mean(0), 12.0);
+  EXPECT_EQ(rebound->mean(1), ball(1));
+  EXPECT_EQ(rebound->mean(2), ball(2));
+  EXPECT_NEAR(rebound->mean(3), -motion.rebound_kept * ball(3), 1e-12);
+  EXPECT_EQ(rebound->mean(5), ball(5));
+  EXPECT_GT(rebound->disturbance(3, 3), 1.0);
+  EXPECT_FALSE(rebound->lands);
+
+  ball = rebound->mean;
+  ball(0) = 12.01;
+  EXPECT_EQ(step_rebound(ball, motion)->mean(3), ball(3)) << "on its way back";
 }
 
 }  // namespace

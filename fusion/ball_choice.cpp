@@ -1,0 +1,96 @@
+// fusion/ball_choice.cpp: see fusion/ball_choice.hpp.
+#include "fusion/ball_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "geometry/uncertainty.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+/// Place and velocity on the floor.
+using Motion = Eigen::Vector4d;
+using MotionCov = Eigen::Matrix4d;
+const std::array<int, 4> kOnFloor{0, 1, 3, 4};
+
+double log_density(const Motion& gap, const MotionCov& cov) {
+  const Eigen::LLT<MotionCov> factor(cov);
+  const double log_root = MotionCov(factor.matrixL()).diagonal().array().log().sum();
+  return -0.5 * gap.dot(factor.solve(gap)) - log_root - 2.0 * std::log(2.0 * std::numbers::pi);
+}
+
+/// Log-odds that it is a ball at all. False ones do not last.
+double log_odds_real(const TrackBook& book, const ChoiceParameters& parameters) {
+  const double watched = to_seconds(book.last_hit - book.born) / to_seconds(parameters.false_life);
+  return log_odds_of(book) + std::min(watched, parameters.most_for_lasting);
+}
+
+/// log(sum of exponentials), of two.
+double log_sum(double a, double b) {
+  const double most = std::max(a, b);
+  return most + std::log1p(std::exp(std::min(a, b) - most));
+}
+
+}  // namespace
+
+double log_explained(const BallTrack& before,
+                     const BallTrack& after,
+                     const ChoiceParameters& parameters) {
+  constexpr double kLeast = 1e-30;  // its log is no infinity
+  // What was seen at the same time elsewhere is something else; but a ball that was just kicked may
+  // still fit where it was.
+  constexpr Duration kOverlap = std::chrono::milliseconds(100);
+  if (after.book.born + kOverlap < before.book.last_hit) return std::log(kLeast);
+  const BallMoments found = moments_of(after.beliefs);
+  const MotionCov found_cov = found.cov(kOnFloor, kOnFloor);
+  double expected = 0.0;
+  for (const BallBelief& belief : before.beliefs) {
+    const Motion gap_F = (found.mean - belief.state.mean)(kOnFloor);
+    const MotionCov cov = MotionCov(belief.state.cov(kOnFloor, kOnFloor)) + found_cov;
+    expected += belief.probability * std::exp(log_density(gap_F, cov));
+  }
+  MotionCov of_false = found_cov;
+  of_false.diagonal().tail<2>().array() += parameters.false_speed * parameters.false_speed;
+  const Eigen::Vector2d v_F = found.mean.segment<2>(3);
+  const Eigen::Matrix2d cov_v = of_false.bottomRightCorner<2, 2>();
+  const double log_false = std::log(parameters.false_density) -
+                           0.5 * squared_mahalanobis(v_F, cov_v) -
+                           std::log(2.0 * std::numbers::pi * std::sqrt(cov_v.determinant()));
+  return std::log(std::max(expected, kLeast)) - log_false;
+}
+
+BallOrder order_of_choice(const BallList& balls,
+                          const HintedBall& hinted,
+                          HostTime now,
+                          const Parameters& parameters) {
+  const auto hint = [&](const BallTrack& ball) {
+    return parameters.ball.most_vote * weight_of(hinted, ball.book.key, now, parameters.hint);
+  };
+  BallOrder order;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (!balls[i].book.is_confirmed) continue;
+    const double challenge = log_odds_real(balls[i].book, parameters.choice) + hint(balls[i]);
+    // From the end: it goes ahead of all that it beats.
+    std::size_t place = order.size();
+    while (place > 0) {
+      const BallTrack& old = balls[order[place - 1]];
+      const double real = log_odds_real(old.book, parameters.choice) + hint(old);
+      // Odds against the old one being real add to those of its having been kicked there.
+      const double way = log_sum(log_explained(old, balls[i], parameters.choice), -real);
+      if (challenge + way <= 0.0) break;
+      --place;
+    }
+    order.push_back(i);
+    std::rotate(order.begin() + static_cast<std::ptrdiff_t>(place), order.end() - 1, order.end());
+  }
+  return order;
+}
+
+}  // namespace teamsight::fusion

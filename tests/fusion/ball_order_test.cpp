@@ -1,0 +1,105 @@
+// tests/fusion/ball_order_test.cpp: which of several balls is the game's.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fusion/ball_choice.hpp"
+#include "tests/fusion/scenario.hpp"
+
+namespace teamsight::fusion {
+namespace {
+
+using test::at_second;
+
+const Parameters kParameters;
+
+/// A ball at (x, 0) m that rolls along y, seen by one robot.
+BallTrack ball_at(double x, double speed, double born, double last_hit) {
+  BallTrack ball;
+  ball.book = first_page(7, {1, at_second(born), 0.9}, kParameters.ball);
+  write_hit(ball.book, {1, at_second(last_hit), 0.9}, 1.0, kParameters.ball);
+  ball.book.is_confirmed = true;
+  BallBelief belief;
+  belief.probability = 1.0;
+  belief.state.mean << x, 0.0, 0.11, 0.0, speed, 0.0;
+  belief.state.cov.setIdentity();
+  belief.state.cov *= 0.01;
+  ball.beliefs.push_back(belief);
+  return ball;
+}
+
+/// Adds the possibility that the ball was kicked a second ago.
+void doubt(BallTrack& ball, double probability) {
+  BallBelief kicked = ball.beliefs[0];
+  ball.beliefs[0].probability = 1.0 - probability;
+  kicked.probability = probability;
+  kicked.state.cov.diagonal() << 16.0, 16.0, 0.01, 16.0, 16.0, 0.01;
+  for (const int axis : {0, 1}) {
+    kicked.state.cov(axis, axis + 3) = kicked.state.cov(axis + 3, axis) = 15.0;
+  }
+  ball.beliefs.push_back(kicked);
+}
+
+TEST(LogExplained, ANewBallWhereTheLostOneRollsIsThatOne) {
+  const BallTrack lost = ball_at(0.0, 1.0, 0.0, 2.0);
+
+  EXPECT_GT(log_explained(lost, ball_at(0.1, 1.0, 2.5, 2.7), kParameters.choice), 3.0);
+  EXPECT_LT(log_explained(lost, ball_at(4.0, 1.0, 2.5, 2.7), kParameters.choice), -20.0);
+}
+
+TEST(LogExplained, AKickExplainsABallThatRollsAwayFromWhereItWas) {
+  BallTrack lost = ball_at(0.0, 0.0, 0.0, 2.0);
+  doubt(lost, 0.2);
+  BallTrack away = ball_at(4.0, 0.0, 2.5, 2.7);
+  away.beliefs[0].state.mean(3) = 4.0;
+  BallTrack back = away;
+  back.beliefs[0].state.mean(3) = -4.0;
+
+  EXPECT_GT(log_explained(lost, away, kParameters.choice), 0.0);
+  EXPECT_LT(log_explained(lost, back, kParameters.choice), -3.0);
+}
+
+TEST(LogExplained, NothingExplainsABallThatWasSeenBesideTheOther) {
+  const BallTrack ball = ball_at(0.0, 1.0, 0.0, 2.0);
+
+  EXPECT_LT(log_explained(ball, ball_at(0.1, 1.0, 1.5, 2.0), kParameters.choice), -50.0);
+}
+
+TEST(OrderOfChoice, AnUnseenKickLetsTheNewBallGoFirstAndWithoutOneTheOldStays) {
+  BallList balls;
+  balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
+  BallTrack away = ball_at(4.0, 0.0, 2.5, 2.9);
+  away.beliefs[0].state.mean(3) = 4.0;
+  balls.push_back(away);
+  const auto first = [&]() {
+    return order_of_choice(balls, HintedBall{}, at_second(3.0), kParameters)[0];
+  };
+
+  EXPECT_EQ(first(), 0U);
+  doubt(balls[0], 0.2);
+  EXPECT_EQ(first(), 1U);
+}
+
+TEST(OrderOfChoice, LeavesOutWhatIsNotConfirmed) {
+  BallList balls;
+  balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
+  balls[0].book.is_confirmed = false;
+
+  EXPECT_TRUE(order_of_choice(balls, HintedBall{}, at_second(2.0), kParameters).empty());
+}
+
+TEST(OrderOfChoice, TheOperatorsWordCountsAsManyRobots) {
+  BallList balls;
+  balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
+  balls.push_back(ball_at(4.0, 0.0, 1.0, 2.0));
+  balls[1].book.key = 8;
+  HintedBall hinted;
+  hinted.key = 8;
+  hinted.given = at_second(2.0);
+
+  EXPECT_EQ(order_of_choice(balls, HintedBall{}, at_second(2.0), kParameters)[0], 0U);
+  EXPECT_EQ(order_of_choice(balls, hinted, at_second(2.0), kParameters)[0], 1U);
+}
+
+}  // namespace
+}  // namespace teamsight::fusion
