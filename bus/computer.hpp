@@ -1,7 +1,9 @@
 // bus/computer.hpp: on which computer a writer's process runs, as its participant announces it.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace teamsight::bus {
 
@@ -22,6 +24,12 @@ struct Computer {
 ///
 /// @return the first address that is no multicast one; "" if there is none
 [[nodiscard]] std::string unicast_address_in(const std::string& locators);
+
+/// This computer's network cards that are up with an address, loopback left out: "eth0
+/// (192.168.1.5)".
+///
+/// @return nothing if that cannot be asked
+[[nodiscard]] std::optional<std::vector<std::string>> cards_up();
 
 /// Whether a network card of this computer has that address, or it is loopback's.
 [[nodiscard]] bool is_own_address(const std::string& address);

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
-#include <memory>
 #include <string_view>
 
 #include <dds/dds.h>
-#include <ifaddrs.h>
 #include <net/if.h>
-#include <sys/socket.h>
 
+#include "bus/computer.hpp"
 #include "bus/library_log.hpp"
 
 namespace teamsight::bus {
@@ -46,17 +44,6 @@ std::string interface_list() {
 std::string advice_on_cards() {
   return "no network card is up with an address, this computer has: " + interface_list() +
          "; plug the cable in, or: ip link set NAME up";
-}
-
-bool has_card() {
-  ifaddrs* list = nullptr;
-  if (::getifaddrs(&list) != 0) return true;  // unknown: the library may know better
-  const std::unique_ptr<ifaddrs, void (*)(ifaddrs*)> owner(list, &::freeifaddrs);
-  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
-    const bool is_usable = (one->ifa_flags & IFF_UP) != 0 && (one->ifa_flags & IFF_LOOPBACK) == 0;
-    if (is_usable && one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET) return true;
-  }
-  return false;
 }
 
 std::string today() {
@@ -104,7 +91,9 @@ JoinFailure failure_of(const DomainSettings& settings, const char* call, std::in
 
 std::optional<JoinFailure> missing_card(const DomainSettings& settings,
                                         const std::string& configuration) {
-  if (!says(configuration, "autodetermine=\"true\"") || has_card()) return std::nullopt;
+  if (!says(configuration, "autodetermine=\"true\"")) return std::nullopt;
+  const auto cards = cards_up();
+  if (!cards || !cards->empty()) return std::nullopt;  // unknown: the library may know better
   return JoinFailure{"DDS profile " + settings.profile_path + ": " + advice_on_cards(), true};
 }
 

@@ -108,6 +108,19 @@ Duration take_lease(const std::string& path, std::string& text) {
   return std::chrono::milliseconds(lease);
 }
 
+// The card of its first interface; "" if it names none.
+std::string card_in(const std::string& text) {
+  constexpr std::string_view kInterface = "<NetworkInterface";
+  constexpr std::string_view kName = "name=\"";
+  const std::size_t start = text.find(kInterface);
+  if (start == std::string::npos) return {};
+  const std::string inside = text.substr(start, text.find('>', start) - start);
+  const std::size_t name = inside.find(kName);
+  if (name == std::string::npos) return {};
+  const std::size_t begin = name + kName.size();
+  return inside.substr(begin, inside.find('"', begin) - begin);
+}
+
 void check_tag(const std::string& path, std::string_view tag) {
   const auto allowed = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
@@ -129,6 +142,7 @@ Profile load_profile(const std::string& path, std::string_view tag) {
   profile.lease = take_lease(path, text);
   check_root(path, text);
   check_domains(path, text);
+  profile.card = card_in(text);
   if (!tag.empty()) {
     text += "<CycloneDDS><Domain Id=\"any\"><Discovery><Tag>";
     text += tag;

@@ -12,6 +12,7 @@ namespace teamsight::bus {
 struct Profile {
   std::string
       text;  ///< for the library: comments blanked, the tag appended as a fragment of its own
+  std::string card;   ///< the network card that it names; empty: the library chooses
   Duration lease{0};  ///< of this network's leased topics; kDefaultLease if the file names none
 };
 

@@ -15,7 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bus/clock.hpp"
+#include "bus/computer.hpp"
 #include "bus/loop.hpp"
+#include "bus/profile.hpp"
 #include "bus/reader.hpp"
 #include "process/domains.hpp"
 #include "process/program.hpp"
@@ -132,6 +134,8 @@ Observed look(const Options& options) {
   seen.robot = robot.id;
   seen.software_version = TEAMSIGHT_VERSION;
   seen.profile = domain.profile_path;
+  seen.card = bus::load_profile(domain.profile_path, "").card;
+  seen.cards_up = bus::cards_up().value_or(std::vector<std::string>{});
   seen.domain_id = domain.domain_id;
   seen.secured = !domain.identity.empty();
   if (seen.secured)

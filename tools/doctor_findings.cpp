@@ -100,6 +100,17 @@ Finding peers(const Observed& seen) {
                "are they on, with the same team file, domain, profile and security?");
 }
 
+Finding card(const Observed& seen) {
+  const std::string begin = seen.profile + " on ";
+  if (!seen.card.empty()) return fine("card", begin + seen.card);
+  std::string all;
+  for (const std::string& one : seen.cards_up) all += (all.empty() ? "" : ", ") + one;
+  if (seen.cards_up.size() <= 1) return fine("card", begin + (all.empty() ? "loopback" : all));
+  return wrong("card",
+               begin + "whichever the library takes of " + all,
+               "name the team's card in the profile: <NetworkInterface name=\"...\"/>");
+}
+
 Finding multicast(const Observed& seen) {
   const auto others = std::ranges::count_if(
       seen.heard, [&](const auto& entry) { return entry.first != seen.robot; });
@@ -168,6 +179,7 @@ std::vector<Finding> findings(const Observed& seen) {
           camera(seen),
           calibration(seen),
           fusion(seen),
+          card(seen),
           multicast(seen),
           peers(seen),
           clocks(seen),

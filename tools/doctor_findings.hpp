@@ -25,8 +25,10 @@ struct HeardRobot {
 /// Everything that was looked at.
 struct Observed {
   RobotId robot{kNobody};
-  std::string software_version;  ///< of this command
-  std::string profile;           ///< path of the DDS profile
+  std::string software_version;       ///< of this command
+  std::string profile;                ///< path of the DDS profile
+  std::string card;                   ///< that it names; empty: the library chooses
+  std::vector<std::string> cards_up;  ///< this computer's
   std::uint32_t domain_id{0};
   bool secured{false};
   std::optional<double> certificate_days;  ///< left; nothing: security is off or openssl is missing

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using testing::profile_path;
 using testing::TemporaryFile;
 
 /// The message with which a file of this text is refused; empty if it is not.
@@ -79,6 +80,12 @@ TEST(Profile, TakesTheLeaseOfItsNetwork) {
   EXPECT_EQ(load_profile(slow.path(), "").lease, std::chrono::milliseconds(500));
   EXPECT_EQ(load_profile(plain.path(), "").lease, kDefaultLease);
   EXPECT_EQ(load_profile(slow.path(), "").text.find("teamsight"), std::string::npos);
+}
+
+TEST(Profile, NamesItsNetworkCardUnlessTheLibraryChooses) {
+  EXPECT_EQ(load_profile(profile_path("wifi.xml"), "").card, "wlan0");
+  EXPECT_EQ(load_profile(profile_path("loopback.xml"), "").card, "lo");
+  EXPECT_EQ(load_profile(profile_path("wired.xml"), "").card, "");
 }
 
 TEST(Profile, RefusesALeaseThatIsNoneOrNoGood) {

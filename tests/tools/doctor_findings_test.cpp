@@ -61,6 +61,20 @@ TEST(Doctor, SaysOnWhichOtherComputerTheIdIsUsed) {
   EXPECT_EQ(about(twin, "id").found, "robot id 3 is used on omni2 (192.168.1.12) too");
 }
 
+TEST(Doctor, SaysWhichCardItIsOnAndAsksForANameAmongSeveral) {
+  Observed seen = healthy();
+  seen.profile = "wifi.xml";
+  seen.card = "wlan0";
+  EXPECT_EQ(about(seen, "card").found, "wifi.xml on wlan0");
+
+  seen.card.clear();
+  seen.cards_up = {"eth0 (192.168.1.5)"};
+  EXPECT_EQ(about(seen, "card").found, "wifi.xml on eth0 (192.168.1.5)");
+
+  seen.cards_up.emplace_back("wlan0 (10.0.0.5)");
+  expect_only(seen, "card", "name the team's card in the profile");
+}
+
 TEST(Doctor, SaysWhatToDoAboutTheCamera) {
   Observed lost = healthy();
   lost.heard[3].camera_lost = true;
