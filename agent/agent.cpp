@@ -324,9 +324,11 @@ void Agent::listen_to_commands() {
     }
     const bus::Command& command = *sample.message;
     const bool is_for_me = command.target == kNobody || command.target == identity_.robot;
-    if (is_for_me && carry_out(command, now)) {
-      acknowledged_ = command.command;
+    if (!is_for_me || !(carried_out_.has(command) || carry_out(command, now))) {
+      return;
     }
+    carried_out_.note(command);
+    acknowledged_ = command.command;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "agent/carried_out.hpp"
 #include "agent/frame_thread.hpp"
 #include "agent/locator.hpp"
 #include "agent/translate.hpp"
@@ -125,6 +126,7 @@ class Agent {
   HostTime line_points_written_{};
   HostTime pictures_until_{};
   HostTime picture_written_{};
+  CarriedOut carried_out_;
   std::uint32_t acknowledged_{0};
   bool muted_{false};
   bool yielded_{false};

@@ -12,6 +12,20 @@ constexpr Duration kRepeat = std::chrono::milliseconds(300);
 constexpr Duration kShown = std::chrono::seconds(10);
 constexpr std::size_t kMostPending = 64;
 
+// Mute and unmute are about one thing.
+bool are_about_the_same(const bus::Command& a, const bus::Command& b) {
+  const auto thing = [](bus::CommandKind kind) {
+    return kind == bus::CommandKind::kUnmute ? bus::CommandKind::kMute : kind;
+  };
+  return thing(a.kind) == thing(b.kind);
+}
+
+// Whether the newer one replaces the older: repeating both would have the robot go to and fro.
+bool replaces(const bus::Command& newer, const bus::Command& older) {
+  const bool reaches_it = newer.target == older.target || newer.target == kNobody;
+  return reaches_it && are_about_the_same(newer, older);
+}
+
 }  // namespace
 
 OrderDesk::OrderDesk(std::uint32_t boot) : boot_(boot), next_command_(boot | 1U) {}
@@ -26,12 +40,10 @@ bus::Command OrderDesk::take(const RobotOrder& order,
   next_command_ = next_command_ + 1 == 0 ? 1 : next_command_ + 1;
   pending.text = order.text;
   pending.given = pending.written = now;
-  const bool is_hint = order.command.kind == bus::CommandKind::kBallHint;
-  if (is_hint) {
-    // A newer one replaces it; repeating both would have the fusion go to and fro.
-    std::erase_if(pending_, [](const Pending& older) {
-      return older.command.kind == bus::CommandKind::kBallHint;
-    });
+  std::erase_if(pending_, [&](const Pending& older) {
+    return !older.waits_for.empty() && replaces(order.command, older.command);
+  });
+  if (order.command.kind == bus::CommandKind::kBallHint) {
     pending.waits_for.insert(kNobody);
   } else if (order.command.target == kNobody) {
     pending.waits_for.insert(alive.begin(), alive.end());

@@ -129,6 +129,25 @@ TEST(OrderDesk, RepeatsAnOrderUntilTheRobotAcknowledgesIt) {
   EXPECT_EQ(desk.report(kNow + seconds(1)).at(0).state, ActionState::kDone);
 }
 
+RobotOrder unmute(RobotId target) {
+  RobotOrder order = mute(target);
+  order.command.kind = bus::CommandKind::kUnmute;
+  return order;
+}
+
+TEST(OrderDesk, DoesNotRepeatAnOrderThatANewerOneHasReplaced) {
+  OrderDesk desk(7);
+  static_cast<void>(desk.take(mute(3), {1, 3}, kNow));
+  static_cast<void>(desk.take(mute(1), {1, 3}, kNow));
+
+  const bus::Command newer = desk.take(unmute(3), {1, 3}, kNow + milliseconds(10));
+
+  const auto again = desk.due(kNow + milliseconds(400));
+  ASSERT_THAT(again, SizeIs(2));
+  EXPECT_EQ(again[0].target, 1);
+  EXPECT_EQ(again[1].command, newer.command);
+}
+
 TEST(OrderDesk, WaitsForEveryRobotOfAnOrderToAll) {
   OrderDesk desk(7);
   const bus::Command command = desk.take(mute(kNobody), {1, 3}, kNow);
