@@ -187,7 +187,10 @@ void Station::hear(const bus::Sample<WorldModel>& sample) {
   const std::string leader =
       "The fusion of robot " + std::to_string(static_cast<unsigned>(world.id.robot));
   if (!world_) {
-    note(sample.received, Level::kInfo, leader + " leads");
+    const bool is_imported = world.id.robot == kNobody;
+    note(sample.received,
+         Level::kInfo,
+         is_imported ? "The world model was imported: no fusion leads" : leader + " leads");
   } else if (world_->id.robot != world.id.robot) {
     note(sample.received,
          Level::kWarning,

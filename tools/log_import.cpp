@@ -31,7 +31,7 @@ using nlohmann::json;
 // between one team's obstacles and the other team's own postures, about half a metre in the plane.
 constexpr double kAssumedVar = 0.5 * 0.5 / 2.0;  // m^2, per axis
 constexpr std::int64_t kNsPerMs = 1'000'000;
-constexpr RobotId kImporter = 1;
+constexpr RobotId kImporter = kNobody;  // no robot's fusion made it
 
 /// `size` finite numbers of a list; nothing where one is null or missing.
 std::optional<std::vector<double>> numbers(const json& item, const char* key, std::size_t size) {

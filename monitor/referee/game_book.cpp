@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 10> kNoted{"TESTMODE_ON",
 constexpr Duration kOldest = std::chrono::seconds(65);
 // Commands closer than this are of the same time: the way over the bus counts as age.
 constexpr Duration kSameTime = std::chrono::milliseconds(100);
-// Three times lost, and the other station with the box is gone.
+// Three times lost, and the other station is gone.
 constexpr Duration kOtherGone = std::chrono::seconds(4);
 
 std::uint8_t counted(std::uint8_t goals, int change) {
@@ -150,6 +150,7 @@ bool GameBook::other_has_box(HostTime now) const {
 }
 
 bool GameBook::hear(const bus::GameState& other, std::uint32_t own_boot, HostTime now) {
+  told_ = now;
   other_box_heard_ = other.box_connected ? now : HostTime{};
   if (state_.box_connected) return false;
   if (speaks_ && !other.box_connected) {
@@ -164,6 +165,13 @@ bool GameBook::hear(const bus::GameState& other, std::uint32_t own_boot, HostTim
   last_command_ = "told by another station";
   speaks_ = false;
   return !std::exchange(follows_, true);
+}
+
+bool GameBook::take_over(HostTime now) {
+  if (!follows_ || now - told_ < kOtherGone) return false;
+  follows_ = false;
+  speaks_ = true;
+  return true;
 }
 
 bus::GameState GameBook::state(HostTime now) const {

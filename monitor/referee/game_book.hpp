@@ -34,6 +34,12 @@ class GameBook {
   /// @return whether this station told the game until now, or knew none, and is quiet from now on
   bool hear(const bus::GameState& other, std::uint32_t own_boot, HostTime now);
 
+  /// Goes on telling what it was told, once the station that it follows has been silent for four
+  /// seconds; to be asked about once a second.
+  ///
+  /// @return whether that is so since now
+  bool take_over(HostTime now);
+
   /// Whether the robots are to hear the game from this station: it has something to say.
   [[nodiscard]] bool speaks() const { return speaks_; }
 
@@ -58,6 +64,7 @@ class GameBook {
   bool speaks_{false};
   bool follows_{false};
   HostTime other_box_heard_{};
+  HostTime told_{};  // when another station spoke last
   bus::GameState state_;
   HostTime command_at_{};
   std::string last_command_;

@@ -95,6 +95,11 @@ std::string Referee::by_hand(const RefereeOrder& order) {
 }
 
 void Referee::publish(HostTime now) {
+  if (book_.take_over(now)) {
+    station_->note(now,
+                   Level::kWarning,
+                   "The station that told the robots the game is silent: this one goes on with it");
+  }
   if (!book_.speaks()) return;
   bus::GameState state = book_.state(now);
   state.id = {kNobody, settings_.boot, ++sequence_};

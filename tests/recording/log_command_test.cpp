@@ -207,6 +207,7 @@ TEST_F(LogCommand, ImportsAGameOfTheLeaguesBoxWithItsDirtIntoF) {
   ASSERT_EQ(found.size(), 4U) << lines.out();
   const nlohmann::json& world = found[2]["message"];
   EXPECT_EQ(found[2]["log_ns"], 1467553851531000000);
+  EXPECT_EQ(world["sample"]["robot_id"], 0) << "no fusion made it";
   EXPECT_EQ(world["teammates"].size(), 1U);
   EXPECT_EQ(world["teammates"][0]["posture"]["x_m"], 4.0);
   EXPECT_EQ(world["teammates"][0]["posture"]["y_m"], -1.0);

@@ -153,12 +153,18 @@ export class EventLog {
   }
 }
 
+/** Whose world model it is; 0: nobody's, of a game that was imported. */
+export function leaderText(robot: number | undefined): string {
+  if (robot === undefined) return "No fusion leads";
+  return robot === 0 ? "Imported" : `Fusion ${robot} leads`;
+}
+
 /** Which fusion's picture this is. */
 export function drawLead(update: MonitorUpdate, sinceUpdateMs: number): void {
   const root = byId("lead");
   const world = update.world;
   const ageMs = update.worldAgeMs + sinceUpdateMs;
   set(root, { "data-freshness": world ? format.freshness(ageMs) : "lost" });
-  write(byId("leader"), world ? `Fusion ${world.sample?.robotId ?? 0} leads` : "No fusion leads");
+  write(byId("leader"), leaderText(world?.sample?.robotId));
   write(byId("lead-age"), world ? `${format.age(Math.round(ageMs / 10) * 10)} ago` : format.UNKNOWN);
 }

@@ -1,5 +1,6 @@
 // monitor/web/src/table_view.ts: one row per robot. Columns keep their width, rows their height.
-import type { MonitorUpdate, RobotRow } from "./generated/monitor_pb";
+import { create } from "@bufbuild/protobuf";
+import { type MonitorUpdate, type RobotRow, RobotRowSchema } from "./generated/monitor_pb";
 import { type ExplainedRobot, PostureStatus, type WorldTeammate } from "./generated/recording_pb";
 import { html, set, write } from "./dom";
 import * as format from "./format";
@@ -21,8 +22,21 @@ interface Column {
 const cell = (text: string, tone: Cell["tone"] = "", title?: string): Cell => (title ? { text, tone, title } : { text, tone });
 const DASH = cell(format.UNKNOWN, "dim");
 
+/** Of a robot that the station knows from the world model alone. */
+export const isToldOf = (row: RobotRow) => !row.alive && row.received === 0n && row.ageMs === 0;
+
+/** The robots that were heard, and those that only the world model has, by their ids. */
+export function rowsOf(update: MonitorUpdate): RobotRow[] {
+  const heard = new Set(update.robots.map((row) => row.robotId));
+  const told = (update.world?.teammates ?? []).filter((mate) => !heard.has(mate.robotId));
+  if (told.length === 0) return update.robots;
+  const rows = told.map((mate) => create(RobotRowSchema, { robotId: mate.robotId, latencyP50Ms: -1, latencyP95Ms: -1 }));
+  return [...update.robots, ...rows].sort((a, b) => a.robotId - b.robotId);
+}
+
 export function linkCell(row: RobotRow, sinceUpdateMs: number): Cell {
   const ageMs = row.ageMs + sinceUpdateMs;
+  if (isToldOf(row)) return cell("not itself", "dim", "Known from the world model; the station has not heard it itself");
   if (row.duplicate) return cell("id used twice", "bad", "Two processes speak under this id");
   if (!row.alive) return cell(`lost ${ageMs < 60_000 ? `${(ageMs / 1000).toFixed(1)} s` : format.age(ageMs)}`, "bad");
   const tones = { fresh: "good", late: "warn", lost: "bad" } as const;
@@ -148,6 +162,11 @@ function ballCell(row: RobotRow): Cell {
   return row.state.seesBall ? cell("sees it", "good") : DASH;
 }
 
+function stateOf(row: RobotRow, since: number): string {
+  if (isToldOf(row)) return "told";
+  return row.alive ? format.freshness(row.ageMs + since) : "lost";
+}
+
 /** Rows that are always there, so that nothing jumps when a robot joins. */
 const LEAST_ROWS = 5;
 
@@ -169,15 +188,18 @@ export class TableView {
   }
 
   draw(update: MonitorUpdate, sinceUpdateMs: number, chosen: number): void {
-    const mates = new Map((update.world?.teammates ?? []).map((mate) => [mate.robotId, mate]));
-    const count = Math.max(update.robots.length, LEAST_ROWS);
+    // Nobody has judged the robots of a game that was imported.
+    const judged = update.world?.sample?.robotId ? update.world.teammates : [];
+    const mates = new Map(judged.map((mate) => [mate.robotId, mate]));
+    const rows = rowsOf(update);
+    const count = Math.max(rows.length, LEAST_ROWS);
     while (this.body.rows.length < count) this.addRow();
     while (this.body.rows.length > count) this.body.deleteRow(-1);
     for (let i = 0; i < count; ++i) {
       const line = this.body.rows[i];
       if (!line) continue;
-      this.fill(line, update.robots[i], mates, sinceUpdateMs);
-      line.setAttribute("aria-selected", String(update.robots[i]?.robotId === chosen));
+      this.fill(line, rows[i], mates, sinceUpdateMs);
+      line.setAttribute("aria-selected", String(rows[i]?.robotId === chosen));
     }
   }
 
@@ -187,7 +209,7 @@ export class TableView {
   }
 
   private fill(line: HTMLTableRowElement, row: RobotRow | undefined, mates: Map<number, WorldTeammate>, since: number): void {
-    const state = row ? (row.alive ? format.freshness(row.ageMs + since) : "lost") : "empty";
+    const state = row ? stateOf(row, since) : "empty";
     set(line, { class: state, "data-robot": row?.robotId ?? 0 });
     COLUMNS.forEach((column, index) => {
       const place = line.cells[index]?.firstElementChild;

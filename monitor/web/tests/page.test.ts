@@ -12,7 +12,8 @@ import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
 import { bitRate, commandText, courseText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
-import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, trustCell } from "../src/table_view";
+import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, rowsOf, trustCell } from "../src/table_view";
+import { leaderText } from "../src/side_view";
 import { View } from "../src/view";
 import { withoutText } from "../src/without_layer";
 
@@ -141,6 +142,22 @@ describe("a row of the table", () => {
     );
     expect(rejectedText(row({ explained: { accepted: 70 } }))).toBe("nothing (used: 70)");
     expect(rejectedText(undefined)).toBe("–");
+  });
+});
+
+describe("robots that the station has not heard itself", () => {
+  it("have a row of their own, as a game that was imported has no other", () => {
+    const update = create(MonitorUpdateSchema, { robots: [row({ robotId: 2 })], world: { teammates: [{ robotId: 3, trust: 1 }, { robotId: 2 }] } });
+
+    const rows = rowsOf(update);
+
+    expect(rows.map((one) => one.robotId)).toEqual([2, 3]);
+    expect(rows.map((one) => linkCell(one, 0).text)).toEqual(["30 ms", "not itself"]);
+    expect(rowsOf(create(MonitorUpdateSchema, {}))).toEqual([]);
+  });
+
+  it("are not said to have a fusion that leads", () => {
+    expect([undefined, 0, 3].map(leaderText)).toEqual(["No fusion leads", "Imported", "Fusion 3 leads"]);
   });
 });
 

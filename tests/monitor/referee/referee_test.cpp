@@ -233,6 +233,38 @@ TEST(GameBook, LetsTheStationWithTheBoxDecide) {
   EXPECT_FALSE(stations.other.other_has_box(kNow + seconds(60)));
 }
 
+TEST(GameBook, GoesOnWithTheGameOfAStationThatHasDied) {
+  TwoStations stations;
+  stations.one.set_connected(true);
+  stations.one.apply({"GOAL", kUs, {}}, kNow);
+  stations.exchange(kNow);
+
+  EXPECT_FALSE(stations.other.take_over(kNow + seconds(3)));
+  EXPECT_TRUE(stations.other.take_over(kNow + seconds(4)));
+
+  EXPECT_TRUE(stations.other.speaks());
+  EXPECT_EQ(stations.other.state(kNow + seconds(4)).goals_own, 1);
+  EXPECT_FALSE(stations.other.take_over(kNow + seconds(5))) << "it is said once";
+  stations.exchange(kNow + seconds(6));
+  EXPECT_FALSE(stations.other.speaks()) << "the first one is back, and has the box";
+}
+
+TEST(GameBook, LeavesOneOfTwoFollowersSpeakingWhenTheirStationHasDied) {
+  TwoStations followers;
+  bus::GameState told;
+  told.id = {kNobody, 9, 1};
+  told.running = true;
+  followers.one.hear(told, 1, kNow);
+  followers.other.hear(told, 2, kNow);
+
+  EXPECT_TRUE(followers.one.take_over(kNow + seconds(5)));
+  EXPECT_TRUE(followers.other.take_over(kNow + seconds(5)));
+  followers.exchange(kNow + seconds(6));
+
+  EXPECT_NE(followers.one.speaks(), followers.other.speaks());
+  EXPECT_TRUE(followers.one.state(kNow + seconds(7)).running);
+}
+
 TEST(GameBook, LeavesOneStationSpeakingWhateverTheTimesOfTheirCommands) {
   for (const seconds later : {seconds(0), seconds(3), seconds(70)}) {
     TwoStations stations;  // that meet after both have given commands
