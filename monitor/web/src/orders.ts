@@ -72,7 +72,7 @@ export class Orders {
     this.shown = text;
     for (const old of this.root.querySelectorAll(".action:not(.refused)")) old.remove();
     for (const action of known) {
-      const words: Record<string, string> = { waiting: "…", done: "✓ carried out", "no answer": "✗ no answer" };
+      const words: Record<string, string> = { waiting: "…", done: "✓ done", "no answer": "✗ no answer" };
       const note = html("div", `action ${action.state.replace(" ", "-")}`, this.root);
       html("span", "", note, action.text);
       html("b", "", note, words[action.state] ?? action.state);
