@@ -195,6 +195,7 @@ Outcome freeze(const ScenarioOptions& options) {
   stage.team.agent(6).kill(SIGCONT);
   stage.team.fusion(6).kill(SIGCONT);
   const std::int64_t thawed = now_ns();
+  stage.report("the leader's host is frozen", {frozen, thawed});
   stage.outcome.expect(await_whole(stage, thawed, seconds(10)) >= 0, "all robots in all models");
   expect_recovery(
       stage, "one model everywhere", await_leader(stage, 6, thawed, seconds(10)), 3000.0);
@@ -208,6 +209,7 @@ Outcome kill_leader(const ScenarioOptions& options) {
   const std::int64_t killed = now_ns();
   stage.team.fusion(6).kill(SIGKILL);
   expect_hand_over(stage, options, killed);
+  stage.report("the leading fusion is killed", {killed, now_ns()});
   stage.outcome.expect(ball_of(stage.team) == ball, "the ball keeps its id");
   const std::int64_t again = now_ns();
   stage.team.start_fusion(6);
@@ -224,6 +226,7 @@ Outcome late_robot(const ScenarioOptions& options) {
   stage.team.start(6);
   expect_recovery(
       stage, "the new robot is in every model", await_whole(stage, started, seconds(10)), 2000.0);
+  stage.report("while it comes", {started, now_ns()});
   return stage.outcome;
 }
 

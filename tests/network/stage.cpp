@@ -98,6 +98,7 @@ double Stage::start() {
   }
   outcome.say("until then on the wire, mostly discovery: " + number(1e-3 * sent, 0) + " kB in " +
               number(ms_since(begin, now_ns()), 0) + " ms");
+  marked_ = mark();
   return took;
 }
 
@@ -109,6 +110,8 @@ Interval Stage::run_for(milliseconds duration) const {
 
 Knowledge Stage::report(const std::string& title, const Interval& interval) {
   outcome.say(title);
+  if (marked_) say_wire(*marked_);
+  marked_ = mark();
   outcome.say(
       "  robot  served  oldest ms  own Hz  air share  air gap ms  ball m  bound m  leaders  "
       "robots");
@@ -146,25 +149,38 @@ Knowledge Stage::report(const std::string& title, const Interval& interval) {
   return worst.value_or(Knowledge{});
 }
 
-double Stage::report_wire(milliseconds duration) {
-  std::vector<PortCounters> before;
+WireMark Stage::mark() {
+  WireMark mark{now_ns(), {}};
   for (std::size_t host = 0; host < hosts.count(); ++host) {
-    before.push_back(hosts.network().counters(host));
+    mark.bytes.push_back(hosts.network().counters(host).bytes);
   }
-  wire_before_ = hosts.network().bytes_by_writer();
-  const Interval interval = run_for(duration);
-  wire_after_ = hosts.network().bytes_by_writer();
-  wire_seconds_ = 1e-3 * ms_since(interval.from_ns, interval.to_ns);
+  return mark;
+}
+
+// Says what went over the wire since then, by host, and returns the sum in Mbit/s.
+double Stage::say_wire(const WireMark& since) {
+  const WireMark now = mark();
+  const double passed_s = 1e-3 * ms_since(since.at_ns, now.at_ns);
   double sum = 0.0;
   std::string line = "on the wire, kB/s per host:";
   for (std::size_t host = 0; host < hosts.count(); ++host) {
-    const PortCounters now = hosts.network().counters(host);
-    const double rate = static_cast<double>(now.bytes - before[host].bytes) / wire_seconds_;
+    const double rate = static_cast<double>(now.bytes[host] - since.bytes[host]) / passed_s;
     sum += rate;
     line += " " + number(1e-3 * rate);
   }
   const double mbit = 8e-6 * sum;
   outcome.say(line + "; together " + number(mbit, 2) + " Mbit/s");
+  return mbit;
+}
+
+double Stage::report_wire(milliseconds duration) {
+  const WireMark before = mark();
+  wire_before_ = hosts.network().bytes_by_writer();
+  const Interval interval = run_for(duration);
+  wire_after_ = hosts.network().bytes_by_writer();
+  wire_seconds_ = 1e-3 * ms_since(interval.from_ns, interval.to_ns);
+  const double mbit = say_wire(before);
+  marked_.reset();  // it has been said
   return mbit;
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,12 @@ using std::chrono::seconds;
 
 /// The bit mask of robots 1 to `robots`.
 [[nodiscard]] std::uint8_t everybody(RobotId robots);
+
+/// What every host had sent by then.
+struct WireMark {
+  std::int64_t at_ns{0};
+  std::vector<std::uint64_t> bytes;
+};
 
 /// Hosts with one team on them, and the outcome that is being written.
 class Stage {
@@ -43,8 +51,9 @@ class Stage {
   /// Lets it run and returns the interval.
   Interval run_for(milliseconds duration) const;
 
-  /// One line per robot. Returns the worst of each figure, and of the share over the air the mean
-  /// of those robots that did not lead themselves.
+  /// One line per robot, and what went over the wire since the start or the report before. Returns
+  /// the worst of each figure, and of the share over the air the mean of those robots that did not
+  /// lead themselves.
   Knowledge report(const std::string& title, const Interval& interval);
 
   /// Bytes per robot and team on the wire over a stretch of calm or foul weather.
@@ -59,7 +68,11 @@ class Stage {
   double await(Channel channel, std::int64_t from_ns, milliseconds bound, const Claim& claim);
 
  private:
+  [[nodiscard]] WireMark mark();
+  double say_wire(const WireMark& since);
+
   double length_;
+  std::optional<WireMark> marked_;  // since when the next report tells what went over the wire
   std::string topic_line(const std::string& topic,
                          const std::map<WriterGuid, std::string>& topics) const;
 
