@@ -217,17 +217,30 @@ Outcome kill_leader(const ScenarioOptions& options) {
   return stage.outcome;
 }
 
-Outcome late_robot(const ScenarioOptions& options) {
-  Stage stage("late-robot", options, team_of(options));
+Outcome join_late(const std::string& name,
+                  const ScenarioOptions& options,
+                  const Weather& weather,
+                  double limit_ms) {
+  Stage stage(name, options, team_of(options));
   for (RobotId robot = 1; robot < 6; ++robot) stage.team.start(robot);
   stage.team.start_coach();
   pause(seconds(4));
+  stage.hosts.network().set_weather(weather);
   const std::int64_t started = now_ns();
   stage.team.start(6);
   expect_recovery(
-      stage, "the new robot is in every model", await_whole(stage, started, seconds(10)), 2000.0);
+      stage, "the new robot is in every model", await_whole(stage, started, seconds(25)), limit_ms);
   stage.report("while it comes", {started, now_ns()});
   return stage.outcome;
+}
+
+Outcome late_robot(const ScenarioOptions& options) {
+  return join_late("late-robot", options, {}, 2000.0);
+}
+
+// Each announcement that is lost costs one more SPDPInterval (2 s).
+Outcome late_robot_lossy(const ScenarioOptions& options) {
+  return join_late("late-robot-lossy", options, {.loss = 0.30}, 20000.0);
 }
 
 Outcome clock_jump(const ScenarioOptions& options) {
@@ -309,6 +322,7 @@ const std::vector<Scenario>& all_scenarios() {
       {"freeze", "the leader's host freezes for 2 s", freeze},
       {"kill", "the leading fusion is killed", kill_leader},
       {"late-robot", "a robot starts four seconds after the others", late_robot},
+      {"late-robot-lossy", "the same while 30 % of the frames are lost", late_robot_lossy},
       {"clock-jump", "the wall clock of the leader's host jumps", clock_jump},
       {"no-multicast", "a network that drops multicast, with the unicast profile", no_multicast},
       {"opponents", "another team with the same domain id", opponents},
