@@ -78,6 +78,10 @@ const scenarios = {
     const log = await page.textContent("#log");
     const numbers = await page.$$eval(".obstacle .label", (labels) => labels.map((label) => label.textContent).sort().join());
     expect(numbers === "1,2,3,4,5", `the opponents have the numbers ${numbers}`);
+    await page.click('tbody tr[data-robot="2"] td:nth-child(6)');
+    await page.waitForFunction(() => document.querySelector(".action.told")?.textContent.includes("line points fit"), undefined, BOUND);
+    await page.screenshot({ path: join(folder, "page-told.png") });
+    await page.keyboard.press("1");
     expect(log.includes("Robot 2 joined") && log.includes("leads"), `the log says: ${log}`);
     for (const [width, height] of [[1280, 800], [1920, 1080]]) {
       await page.setViewportSize({ width, height });

@@ -50,6 +50,13 @@ const table = new TableView(byId("robots"), (robot) => {
   robotCard.select(robot);
   showTab("robot");
 });
+// What a tooltip says, said to who cannot hover: click what has it.
+document.addEventListener("click", (event) => {
+  const part = event.target instanceof Element ? event.target.closest(".lamp, td, .processes *") : null;
+  const words = part?.closest("[title]") ?? part?.querySelector("[title]");
+  const title = words?.getAttribute("title");
+  if (title) orders.tell(title);
+});
 const plots = new Plots(byId("plots"));
 makeRefereeButtons(byId("referee"), orders);
 let timeline = makeTimeline();

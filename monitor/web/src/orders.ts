@@ -58,10 +58,15 @@ export class Orders {
     sessionStorage.setItem(STORE, this.token);
   }
 
-  /** Says why an order was not taken; stays for a while. */
-  refuse(why: string): void {
-    const note = html("div", "action refused", this.root, why);
+  /** Says something that is no order's outcome; stays for a while. */
+  tell(what: string, tone: "told" | "refused" = "told"): void {
+    const note = html("div", `action ${tone}`, this.root, what);
     setTimeout(() => note.remove(), 6000);
+  }
+
+  /** Says why an order was not taken. */
+  refuse(why: string): void {
+    this.tell(why, "refused");
     if (why === "wrong token") this.ask();
   }
 
@@ -70,7 +75,7 @@ export class Orders {
     const text = known.map((action) => `${action.commandId} ${action.state}`).join();
     if (text === this.shown) return;
     this.shown = text;
-    for (const old of this.root.querySelectorAll(".action:not(.refused)")) old.remove();
+    for (const old of this.root.querySelectorAll(".action:not(.refused, .told)")) old.remove();
     for (const action of known) {
       const words: Record<string, string> = { waiting: "…", done: "✓ done", "no answer": "✗ no answer" };
       const note = html("div", `action ${action.state.replace(" ", "-")}`, this.root);
