@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Geometry>
+
 #include "fusion/assignment.hpp"
 #include "fusion/measurement.hpp"
 #include "geometry/uncertainty.hpp"
@@ -131,7 +133,8 @@ std::optional<Body> body_of(const Teammate& teammate,
   return body;
 }
 
-/// The residual of a sighted teammate: where it was seen, minus where it says that it is.
+/// The residual of a sighted teammate: where it was seen, minus where it says that it is. Linear
+/// about what is known of the observer's heading, which may be off by more than a small angle.
 TeamErrors::Residual residual_of(const Candidate& seen,
                                  const Body& body,
                                  const Glance& glance,
@@ -139,9 +142,13 @@ TeamErrors::Residual residual_of(const Candidate& seen,
                                  const Parameters& parameters) {
   TeamErrors::Residual residual;
   const double aside = parameters.teammate.sigma_body;
-  residual.value = seen.measurement.p_F - body.p_F;
   residual.observer = state.errors.place_of(glance.robot);
-  residual.slope_observer = place_slope(seen.measurement.p_F - glance.observer());
+  const double turned =
+      residual.observer == kNoPlace ? 0.0 : state.errors.mean(residual.observer)(2);
+  const Eigen::Vector2d said = seen.measurement.p_F - glance.observer();
+  const Eigen::Vector2d way = Eigen::Rotation2Dd(-turned) * said;
+  residual.slope_observer = place_slope(way);
+  residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.watched = state.errors.place_of(body.robot);
   residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();
   residual.cov = (residual.observer == kNoPlace ? seen.measurement.cov_F : seen.cov_own) +
@@ -154,8 +161,8 @@ TeamErrors::Residual residual_of(const Candidate& seen,
 double body_cost(const TeamErrors::Residual& residual,
                  const State& state,
                  const Parameters& parameters) {
-  if (residual.value.norm() > kAnyRange) return kForbidden;
   const TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
+  if (lesson.surprise.norm() > kAnyRange) return kForbidden;
   const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
   const bool is_within = squared <= chi_square_gate(2, parameters.obstacle.gate_probability);
   const bool is_touching = lesson.surprise.norm() < parameters.teammate.body_reach;

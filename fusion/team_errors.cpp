@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace teamsight::fusion {
@@ -27,12 +28,25 @@ Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
          axes.eigenvectors().transpose();
 }
 
+/// A step of a posture that only counts its wheels.
+struct DeadReckoning {
+  Eigen::Matrix3d keep{Eigen::Matrix3d::Identity()};  // by how much errors before are errors after
+  Eigen::Vector2d drift{Eigen::Vector2d::Zero()};     // what the error of the heading adds; m
+};
+
 /// How a posture's error is carried along by wheels: a wrong heading leads aside.
-Eigen::Matrix3d dead_reckoning(const Pose<Field, Robot>& from, const Pose<Field, Robot>& to) {
-  Eigen::Matrix3d keep = Eigen::Matrix3d::Identity();
-  keep(0, 2) = -(to.y() - from.y());
-  keep(1, 2) = to.x() - from.x();
-  return keep;
+///
+/// @param error  of the heading; rad
+DeadReckoning dead_reckoning(const Pose<Field, Robot>& from,
+                             const Pose<Field, Robot>& to,
+                             double error) {
+  const Eigen::Vector2d said = (to.vector() - from.vector()).head<2>();
+  const Eigen::Vector2d way = Eigen::Rotation2Dd(-error) * said;
+  DeadReckoning step;
+  step.keep(0, 2) = -way.y();
+  step.keep(1, 2) = way.x();
+  step.drift = said - way;
+  return step;
 }
 
 }  // namespace
@@ -67,8 +81,12 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place, const PostureEstimate& posture, 
   const PostureEstimate& said = known_[static_cast<std::size_t>(place)].said;
   const double growth = least_growth(said.cov, posture.cov);
   ErrorMatrix keep = ErrorMatrix::Zero();
+  auto mean = mean_.segment<kErrorSize>(at);
+  ErrorVector drift = ErrorVector::Zero();
   if (growth > 1.0 + 1e-9) {
-    keep.topLeftCorner<3, 3>() = dead_reckoning(said.X_FR, posture.X_FR);
+    const DeadReckoning step = dead_reckoning(said.X_FR, posture.X_FR, mean(2));
+    keep.topLeftCorner<3, 3>() = step.keep;
+    drift.head<2>() = step.drift - step.keep.topRightCorner<2, 1>() * mean(2);
   } else {
     const double share =
         std::exp(-dt / to_seconds(parameters_.posture_memory)) * std::sqrt(std::min(1.0, growth));
@@ -78,7 +96,7 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place, const PostureEstimate& posture, 
   const auto keep_posture = keep.topLeftCorner<3, 3>();
   const Eigen::Matrix3d news =
       positive_part(posture.cov - keep_posture * said.cov * keep_posture.transpose());
-  mean_.segment<kErrorSize>(at) = (keep * mean_.segment<kErrorSize>(at)).eval();
+  mean = (keep * mean + drift).eval();
   cov_.middleRows<kErrorSize>(at) = (keep * cov_.middleRows<kErrorSize>(at)).eval();
   cov_.middleCols<kErrorSize>(at) = (cov_.middleCols<kErrorSize>(at) * keep.transpose()).eval();
   cov_.block<3, 3>(at, at) += news;
@@ -141,7 +159,10 @@ void TeamErrors::learn(const Lesson& lesson) {
   const int n = active();
   const Eigen::Matrix<double, kAllErrors, 2> gain = lesson.cov_slope * lesson.inverse;
   mean_ += gain * lesson.surprise;
-  cov_.topLeftCorner(n, n).noalias() -= gain.topRows(n) * lesson.cov_slope.topRows(n).transpose();
+  auto cov = cov_.topLeftCorner(n, n);
+  cov.noalias() -= gain.topRows(n) * lesson.cov_slope.topRows(n).transpose();
+  // Rounding must not add up to a covariance that is none.
+  cov = (0.5 * (cov + cov.transpose())).eval();
 }
 
 Eigen::Matrix<double, 2, kErrorSize> place_slope(const Eigen::Vector2d& way_F) {

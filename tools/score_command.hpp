@@ -23,4 +23,7 @@ void add_score_locate_command(CLI::App& score, int& exit_code);
 /// Adds `score fuse`: one JSON line per scenario and estimator. Exit code 0, 2 on bad input.
 void add_score_fuse_command(CLI::App& score, int& exit_code);
 
+/// Adds `score mrclam`: one JSON line per case and robot. Exit code 0, 2 on bad input.
+void add_score_mrclam_command(CLI::App& score, int& exit_code);
+
 }  // namespace teamsight::tools

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "settings/load.hpp"
+#include "tests/realdata/folders.hpp"
 #include "tools/line_views.hpp"
 #include "vision/calibration/line_calibration.hpp"
 
@@ -17,21 +18,9 @@ namespace teamsight {
 namespace {
 
 namespace fs = std::filesystem;
+using test::data_dir;
+using test::source_dir;
 using vision::ViewResult;
-
-fs::path source_dir() {
-  // A test has one thread when it reads its environment.
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  const char* dir = std::getenv("TEAMSIGHT_SOURCE_DIR");
-  return dir != nullptr ? fs::path(dir) : fs::current_path();
-}
-
-fs::path data_dir() {
-  // A test has one thread when it reads its environment.
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  const char* dir = std::getenv("TEAMSIGHT_DATA");
-  return dir != nullptr ? fs::path(dir) : source_dir() / ".." / "shared" / "data";
-}
 
 // Of the points' distances from the paint, over all views; m.
 double quantile(const vision::LineCalibration& result,
@@ -74,8 +63,7 @@ vision::LineCalibration calibrate(const std::string& camera_name,
 class RealCamera : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (fs::exists(data_dir() / "nubot_nudt")) return;
-    std::cerr << "\n*** NO REAL DATA in " << data_dir() << "; set TEAMSIGHT_DATA ***\n";
+    if (test::has_data("nubot_nudt")) return;
     GTEST_SKIP() << "no real data in " << data_dir();
   }
 };

@@ -13,27 +13,15 @@
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
+#include "tests/realdata/folders.hpp"
 #include "vision/localisation/localisation.hpp"
 
 namespace teamsight {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path from_environment(const char* name, const fs::path& otherwise) {
-  // A test has one thread when it reads its environment.
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  const char* dir = std::getenv(name);
-  return dir != nullptr ? fs::path(dir) : otherwise;
-}
-
-fs::path source_dir() {
-  return from_environment("TEAMSIGHT_SOURCE_DIR", fs::current_path());
-}
-
-fs::path data_dir() {
-  return from_environment("TEAMSIGHT_DATA", source_dir() / ".." / "shared" / "data");
-}
+using test::data_dir;
+using test::source_dir;
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path);
@@ -106,8 +94,7 @@ Residuals residuals_of(const std::vector<vision::LinePoint>& points, double sigm
 class RecordedLines : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (fs::exists(data_dir() / "nubot_nudt")) return;
-    std::cerr << "\n*** NO REAL DATA in " << data_dir() << "; set TEAMSIGHT_DATA ***\n";
+    if (test::has_data("nubot_nudt")) return;
     GTEST_SKIP() << "no real data in " << data_dir();
   }
 };

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "settings/load.hpp"
+#include "tests/realdata/folders.hpp"
 #include "tools/image_file.hpp"
 #include "tools/sight_drawing.hpp"
 #include "vision/perception.hpp"
@@ -20,20 +21,8 @@ namespace teamsight {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path source_dir() {
-  // A test has one thread when it reads its environment.
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  const char* dir = std::getenv("TEAMSIGHT_SOURCE_DIR");
-  return dir != nullptr ? fs::path(dir) : fs::current_path();
-}
-
-fs::path data_dir() {
-  // A test has one thread when it reads its environment.
-  // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  const char* dir = std::getenv("TEAMSIGHT_DATA");
-  return dir != nullptr ? fs::path(dir) : source_dir() / ".." / "shared" / "data";
-}
+using test::data_dir;
+using test::source_dir;
 
 fs::path frame_path(int number) {
   return data_dir() / "cnc_kassel" / ("log-image-000" + std::to_string(number) + ".raw");
