@@ -3,14 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +16,7 @@
 #include "recording/mcap_writer.hpp"
 #include "recording/output_file.hpp"
 #include "recording/topic_channel.hpp"
+#include "tools/league_game.hpp"
 #include "tools/log_actions.hpp"
 
 namespace teamsight::tools {
@@ -32,23 +29,6 @@ using nlohmann::json;
 constexpr double kAssumedVar = 0.5 * 0.5 / 2.0;  // m^2, per axis
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr RobotId kImporter = kNobody;  // no robot's fusion made it
-
-/// `size` finite numbers of a list; nothing where one is null or missing.
-std::optional<std::vector<double>> numbers(const json& item, const char* key, std::size_t size) {
-  const auto list = item.find(key);
-  if (list == item.end() || !list->is_array() || list->size() < size) return std::nullopt;
-  std::vector<double> values;
-  for (std::size_t i = 0; i < size; ++i) {
-    if (!(*list)[i].is_number()) return std::nullopt;
-    values.push_back((*list)[i].get<double>());
-  }
-  return values;
-}
-
-double number(const json& item, const char* key, double otherwise) {
-  const auto found = item.find(key);
-  return found != item.end() && found->is_number() ? found->get<double>() : otherwise;
-}
 
 /// One league file, one topic after the other, into one MCAP file.
 class Importer {
@@ -180,28 +160,6 @@ class Importer {
   std::uint64_t skipped_{0};
 };
 
-std::ifstream open_text(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
-  return file;
-}
-
-/// One record at a time: a game is a hundred megabytes of text.
-void import_worlds(const std::filesystem::path& path, Importer& importer) {
-  std::ifstream file = open_text(path);
-  bool is_list = false;
-  const auto take = [&](int depth, json::parse_event_t event, json& parsed) {
-    if (depth == 0 && event == json::parse_event_t::array_start) is_list = true;
-    if (depth != 1 || event != json::parse_event_t::object_end) return true;
-    importer.add_world(parsed);
-    return false;
-  };
-  // A box that was switched off leaves the list open: what stands before counts.
-  [[maybe_unused]] const json rest = json::parse(file, take, false);
-  if (!is_list)
-    throw std::runtime_error(path.string() + ": no recorded game, expected a JSON list");
-}
-
 struct Piece {
   const char* words;
   bus::SetPiece piece;
@@ -236,27 +194,22 @@ void apply_event(const std::string& words, const std::string& own, bus::GameStat
 }
 
 void import_events(const LogImport& request, Importer& importer) {
-  std::ifstream file = open_text(request.events);
   const std::string own = request.own == "magenta" ? "MAGENTA" : "CYAN";
   bus::GameState game;
   game.phase = bus::GamePhase::kBefore;
   game.box_connected = true;
-  for (std::string line; std::getline(file, line);) {
-    const std::int64_t ms = std::strtoll(line.c_str(), nullptr, 10);
-    if (ms < 1'000'000'000'000) continue;  // who connected
-    const auto comma = line.rfind(',');
-    std::string words = line.substr(comma + 1);
-    if (words.ends_with('\r')) words.pop_back();
+  for_each_league_event(request.events, [&](std::int64_t ms, const std::string& words) {
     apply_event(words, own, game);
     importer.add_game(ms, game);
-  }
+  });
 }
 
 }  // namespace
 
 int log_import(const LogImport& request) {
   Importer importer(request.out);
-  import_worlds(request.worlds, importer);
+  // A box that was switched off leaves the list open: what stands before counts.
+  for_each_league_record(request.worlds, [&](const json& record) { importer.add_world(record); });
   if (!request.events.empty()) import_events(request, importer);
   return importer.finish();
 }

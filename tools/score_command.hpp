@@ -26,4 +26,8 @@ void add_score_fuse_command(CLI::App& score, int& exit_code);
 /// Adds `score mrclam`: one JSON line per case and robot. Exit code 0, 2 on bad input.
 void add_score_mrclam_command(CLI::App& score, int& exit_code);
 
+/// Adds `score refbox-game`: one JSON line per team and estimator, over a game as the referee box
+/// kept it. Exit code 0, 2 on bad input.
+void add_score_refbox_game_command(CLI::App& score, int& exit_code);
+
 }  // namespace teamsight::tools

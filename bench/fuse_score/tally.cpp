@@ -25,6 +25,13 @@ double ErrorTally::quantile(double share) const {
   return std::sqrt(sorted[static_cast<std::size_t>(at)]);
 }
 
+double ErrorTally::share_within(double size) const {
+  if (squares_.empty()) return 0.0;
+  const auto within = std::count_if(
+      squares_.begin(), squares_.end(), [&](double square) { return square < size * size; });
+  return static_cast<double>(within) / static_cast<double>(squares_.size());
+}
+
 void ErrorTally::merge(const ErrorTally& other) {
   squares_.insert(squares_.end(), other.squares_.begin(), other.squares_.end());
 }

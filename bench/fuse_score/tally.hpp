@@ -23,6 +23,9 @@ class ErrorTally {
   /// Of the errors' sizes; share in [0, 1].
   [[nodiscard]] double quantile(double share) const;
 
+  /// Of the errors that are smaller than `size`, in [0, 1].
+  [[nodiscard]] double share_within(double size) const;
+
   void merge(const ErrorTally& other);
 
  private:
