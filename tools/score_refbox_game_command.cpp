@@ -36,6 +36,7 @@ ordered_json score_json(const score::LeagueScore& score) {
   json["localisation_m"] = rounded(std::sqrt(obstacles.localisation.mean()));
   json["missed"] = rounded(obstacles.missed.mean());
   json["false"] = rounded(obstacles.false_ones.mean());
+  if (!score.counts.empty()) json["counts"] = score.counts;
   return json;
 }
 

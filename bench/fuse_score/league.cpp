@@ -19,6 +19,8 @@ constexpr std::int64_t kTruthMs = 200;  // no posture nearer in time: nothing to
 constexpr std::int64_t kListMs = 1000;  // a list that is older says nothing any more
 constexpr double kRobotRadius = 0.25;   // m
 constexpr double kMate = 0.5;  // m around a mate's own posture, as the peers' rules have it
+// That a robot right beside a thing names it, where silence is no evidence: as bench/mrclam has it.
+constexpr double kDetectionOfLists = 0.05;
 constexpr double kSigmaPosture = 0.10;  // m, per axis
 constexpr double kSigmaHeading = 0.05;  // rad
 constexpr Duration kSigmaExposure = std::chrono::milliseconds(50);
@@ -166,6 +168,56 @@ Places strangers(const LeagueRecord& record) {
   return places;
 }
 
+/// Fusion as the service runs it while it leads: names stay as they were said.
+class FusedGame {
+ public:
+  explicit FusedGame(const fusion::Parameters& parameters) : fusion_(parameters, league_field()) {}
+
+  void take(const fusion::Observation& frame, HostTime now) {
+    const fusion::Intake intake = fusion_.insert(frame, now);
+    ++counts_[intake == fusion::Intake::kAccepted ? "frames" : "frames_refused"];
+  }
+
+  Places obstacles(HostTime now) {
+    fusion_.adopt_ids(world_, last_);
+    world_ = fusion_.world_at(now);
+    last_ = now;
+    for (const WorldTeammate& mate : world_.teammates)
+      ++counts_[std::string("robot_ticks_") + name_of(mate.quarantine)];
+    Places places;
+    for (const WorldObstacle& obstacle : world_.obstacles) places.push_back(obstacle.p_FO.vector());
+    return places;
+  }
+
+  /// What became of the frames, by reason.
+  [[nodiscard]] std::map<std::string, std::uint64_t> counts() const {
+    auto counts = counts_;
+    for (const fusion::RobotReport& robot : fusion_.report_at(last_).robots) {
+      counts["sightings_used"] += robot.accepted;
+      counts["sightings_fitting_nothing"] += robot.rejected_gate;
+    }
+    return counts;
+  }
+
+ private:
+  fusion::Fusion fusion_;
+  WorldModel world_;
+  HostTime last_{};
+  std::map<std::string, std::uint64_t> counts_;
+};
+
+fusion::Parameters parameters() {
+  fusion::Parameters parameters;
+  parameters.robot_radius = kRobotRadius;
+  return parameters;
+}
+
+fusion::Parameters parameters_of_lists() {
+  fusion::Parameters of_lists = parameters();
+  of_lists.obstacle.detection_probability = kDetectionOfLists;
+  return of_lists;
+}
+
 /// One team's game, tick by tick.
 class LeagueRun {
  public:
@@ -173,10 +225,16 @@ class LeagueRun {
       : own_(own),
         other_(other),
         spans_(spans),
-        fusion_(parameters(), league_field()) {
-    const char* names[] = {
-        "as-recorded", "newest-list", "teamsight", "information-filter", "two-witnesses"};
-    for (const char* name : names) result_.scores.push_back({name, {}, {}});
+        fused_(parameters()),
+        fused_lists_(parameters_of_lists()) {
+    const char* names[] = {"as-recorded",
+                           "recorded-within-lines",
+                           "newest-list",
+                           "teamsight",
+                           "teamsight-silence-says-nothing",
+                           "information-filter",
+                           "two-witnesses"};
+    for (const char* name : names) result_.scores.push_back({name, {}, {}, {}});
   }
 
   LeagueResult run() {
@@ -187,17 +245,12 @@ class LeagueRun {
         tick(ms);
       }
     }
-    finish();
+    result_.scores[3].counts = fused_.counts();
+    result_.scores[4].counts = fused_lists_.counts();
     return std::move(result_);
   }
 
  private:
-  static fusion::Parameters parameters() {
-    fusion::Parameters parameters;
-    parameters.robot_radius = kRobotRadius;
-    return parameters;
-  }
-
   void deliver_until(std::int64_t ms) {
     for (; next_ < own_.records.size() && own_.records[next_].arrival_ms <= ms; ++next_) {
       const LeagueRecord& record = own_.records[next_];
@@ -214,16 +267,20 @@ class LeagueRun {
     const LeagueRecord* truth = record_at(other_, record.arrival_ms);
     if (truth == nullptr) return;
     Places places;
-    for (const LeagueObstacle& obstacle : record.obstacles)
+    Places within_lines;
+    for (const LeagueObstacle& obstacle : record.obstacles) {
       places.push_back(obstacle.p_FO.vector());
+      if (is_within_lines(obstacle.p_FO)) within_lines.push_back(places.back());
+    }
     add_nearest(places, Truth(*truth), result_.scores[0].nearest);
+    add_nearest(within_lines, Truth(*truth), result_.scores[1].nearest);
   }
 
   void deliver(const LeagueRecord& record) {
     const HostTime now = host_time(record.arrival_ms, start_ms_);
     for (const auto& frame : league_frames(record, start_ms_, ++sequence_)) {
-      const fusion::Intake intake = fusion_.insert(frame, now);
-      ++result_.counts[intake == fusion::Intake::kAccepted ? "frames" : "frames_refused"];
+      fused_.take(frame, now);
+      fused_lists_.take(frame, now);
       // The peers' rules know no age at which a frame is refused.
       filter_.take(frame, seconds(frame.exposure), kRobotRadius);
       witnesses_.take(frame, seconds(frame.exposure), kRobotRadius);
@@ -240,25 +297,14 @@ class LeagueRun {
     const Truth truth(*record);
     const HostTime now = host_time(ms, start_ms_);
     if (newest_ != nullptr && ms - newest_->arrival_ms <= kListMs) {
-      score(strangers(*newest_), truth, 1);
+      score(strangers(*newest_), truth, 2);
     } else {
-      score({}, truth, 1);
+      score({}, truth, 2);
     }
-    score(fused(now), truth, 2);
-    score(places_of(filter_.obstacles(seconds(now))), truth, 3);
-    score(places_of(witnesses_.obstacles(seconds(now))), truth, 4);
-  }
-
-  Places fused(HostTime now) {
-    fusion_.adopt_ids(world_, last_);
-    world_ = fusion_.world_at(now);
-    last_ = now;
-    for (const WorldTeammate& mate : world_.teammates) {
-      ++result_.counts[std::string("robot_ticks_") + name_of(mate.quarantine)];
-    }
-    Places places;
-    for (const WorldObstacle& obstacle : world_.obstacles) places.push_back(obstacle.p_FO.vector());
-    return places;
+    score(fused_.obstacles(now), truth, 3);
+    score(fused_lists_.obstacles(now), truth, 4);
+    score(places_of(filter_.obstacles(seconds(now))), truth, 5);
+    score(places_of(witnesses_.obstacles(seconds(now))), truth, 6);
   }
 
   void score(const Places& estimates, const Truth& truth, std::size_t estimator) {
@@ -267,30 +313,17 @@ class LeagueRun {
     count_gospa(match_gospa(truth.places, truth.plays, estimates), score.obstacles);
   }
 
-  void finish() {
-    for (const fusion::RobotReport& robot :
-         fusion_.report_at(host_time(last_arrival(), start_ms_)).robots) {
-      result_.counts["sightings_used"] += robot.accepted;
-      result_.counts["sightings_fitting_nothing"] += robot.rejected_gate;
-    }
-  }
-
-  [[nodiscard]] std::int64_t last_arrival() const {
-    return newest_ == nullptr ? start_ms_ : newest_->arrival_ms;
-  }
-
   const LeagueTeam& own_;
   const LeagueTeam& other_;
   const std::vector<LeagueSpan>& spans_;
-  fusion::Fusion fusion_;
+  FusedGame fused_;
+  FusedGame fused_lists_;
   peers::InformationFilterObstacles filter_;
   peers::TwoWitnessObstacles witnesses_;
   const LeagueRecord* newest_{nullptr};
   std::size_t next_{0};
   std::uint32_t sequence_{0};
   std::int64_t start_ms_{0};
-  WorldModel world_;
-  HostTime last_{};
   LeagueResult result_;
 };
 

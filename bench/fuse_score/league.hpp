@@ -54,12 +54,13 @@ struct LeagueScore {
   std::string estimator;
   ErrorTally nearest;       ///< any posture of the other team, waiting robots too
   ObstacleTally obstacles;  ///< against the robots that play; empty for what is not a set
+  std::map<std::string, std::uint64_t> counts;  ///< of fusion's frames and robots, by reason
 };
 
 /// What became of one team's world states.
 struct LeagueResult {
   std::vector<LeagueScore> scores;
-  std::map<std::string, std::uint64_t> counts;  ///< of frames and ticks left out, by reason
+  std::map<std::string, std::uint64_t> counts;  ///< of looks, and of those left out
 };
 
 /// The field of that game: 18 x 12 m, and a metre around it.
