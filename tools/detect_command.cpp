@@ -134,6 +134,7 @@ ordered_json obstacle_entry(const ObstacleSighting& obstacle, const vision::Obst
   entry["width_m"] = obstacle.width;
   entry["team"] = name_or_null(class_name(foot.shirt));
   entry["confidence"] = obstacle.confidence;
+  entry["kind"] = foot.kind == vision::ObstacleKind::kRobot ? "robot" : "legs";
   return entry;
 }
 

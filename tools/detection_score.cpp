@@ -41,6 +41,8 @@ class Unmatched {
     return apart(detections_[*best], u, v);
   }
 
+  [[nodiscard]] bool is_taken(std::size_t i) const { return taken_[i]; }
+
   template <class Claim>
   void count_rest(Tally& tally, Claim is_excused) const {
     for (std::size_t i = 0; i < detections_.size(); ++i) {
@@ -84,6 +86,16 @@ ImageLabels labels_of(const nlohmann::json& entry) {
   for (const auto& robot : entry.at("robots")) labels.robots.push_back(foot_of(robot));
   for (const auto& person : entry.at("people")) labels.people.push_back(foot_of(person));
   return labels;
+}
+
+bool is_excused(const ImageLabels& labels, const Detection& detection) {
+  const auto is_near = [&](const LabelledFoot& foot) {
+    return apart(detection, foot.u, foot.v) <= kPersonReach;
+  };
+  return std::ranges::any_of(labels.people, is_near) ||
+         std::ranges::any_of(labels.robots, [&](const LabelledFoot& robot) {
+           return !robot.counts && is_near(robot);
+         });
 }
 
 }  // namespace
@@ -135,16 +147,33 @@ Tally score_robots(const ImageLabels& labels, const std::vector<Detection>& obst
   for (const LabelledFoot& robot : labels.robots) {
     note(tally, robot.counts, unmatched.take(robot.u, robot.v, kFootReach));
   }
-  unmatched.count_rest(tally, [&](const Detection& detection) {
-    const auto is_near = [&](const LabelledFoot& foot) {
-      return apart(detection, foot.u, foot.v) <= kPersonReach;
-    };
-    return std::ranges::any_of(labels.people, is_near) ||
-           std::ranges::any_of(labels.robots, [&](const LabelledFoot& robot) {
-             return !robot.counts && is_near(robot);
-           });
-  });
+  unmatched.count_rest(tally,
+                       [&](const Detection& detection) { return is_excused(labels, detection); });
   return tally;
+}
+
+Tally score_people(const ImageLabels& labels, const std::vector<Detection>& obstacles) {
+  Tally tally;
+  Unmatched unmatched(obstacles);
+  for (const LabelledFoot& person : labels.people) {
+    note(tally, person.counts, unmatched.take(person.u, person.v, kPersonReach));
+  }
+  return tally;
+}
+
+std::vector<Verdict> judge_robots(const ImageLabels& labels,
+                                  const std::vector<Detection>& obstacles) {
+  Unmatched unmatched(obstacles);
+  for (const LabelledFoot& robot : labels.robots) {
+    (void)unmatched.take(robot.u, robot.v, kFootReach);
+  }
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const bool excused = is_excused(labels, obstacles[i]);
+    const Verdict otherwise = excused ? Verdict::kExcused : Verdict::kWrong;
+    verdicts.push_back(unmatched.is_taken(i) ? Verdict::kRight : otherwise);
+  }
+  return verdicts;
 }
 
 Interval wilson(std::size_t hits, std::size_t trials) {

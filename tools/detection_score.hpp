@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,17 @@ struct Detection {
   bool on_carpet{true};
 };
 
+/// What the labels say of something that was taken for a robot.
+enum class Verdict : std::uint8_t {
+  kRight,    ///< within 15 px of a robot's foot, and nearer than what else is
+  kExcused,  ///< within 40 px of a person, or of a robot that does not count
+  kWrong,
+};
+
+/// In the order of `obstacles`.
+[[nodiscard]] std::vector<Verdict> judge_robots(const ImageLabels& labels,
+                                                const std::vector<Detection>& obstacles);
+
 /// Counts over images.
 struct Tally {
   std::size_t labelled{0};  ///< that count
@@ -65,6 +77,10 @@ struct Tally {
 /// A robot is found by the nearest detection within 15 px of its foot. Detections within 40 px of a
 /// person, or of a robot that does not count, are neither right nor wrong.
 [[nodiscard]] Tally score_robots(const ImageLabels& labels,
+                                 const std::vector<Detection>& obstacles);
+
+/// A person is found by the nearest detection within 40 px: people have two feet and one label.
+[[nodiscard]] Tally score_people(const ImageLabels& labels,
                                  const std::vector<Detection>& obstacles);
 
 /// Wilson's interval for `hits` of `trials`, 95 %.

@@ -12,7 +12,7 @@ void add_score_command(CLI::App& app, int& exit_code);
 /// if a robot's floor stays off by more than wanted, 2 on bad input.
 void add_score_calibrate_command(CLI::App& score, int& exit_code);
 
-/// Adds `score detect`: one JSON line per camera, per team and for all. Exit code 0, 2 on bad
+/// Adds `score detect`: one JSON line per series, per team and for all. Exit code 0, 2 on bad
 /// input.
 void add_score_detect_command(CLI::App& score, int& exit_code);
 

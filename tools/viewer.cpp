@@ -7,9 +7,12 @@
 
 namespace teamsight::tools {
 
-Viewer::Viewer(const vision::CameraParameters& camera, const FieldModel& field)
+Viewer::Viewer(const vision::CameraParameters& camera,
+               const FieldModel& field,
+               const vision::PerceptionParameters& parameters)
     : camera_(camera),
-      field_(field) {}
+      field_(field),
+      parameters_(parameters) {}
 
 Viewed Viewer::look(const std::filesystem::path& image, const vision::MotionPrior& prior) {
   Viewed viewed{read_image(image, camera_), nullptr, 0.0};
@@ -17,7 +20,7 @@ Viewed Viewer::look(const std::filesystem::path& image, const vision::MotionPrio
   if (!perception) {
     vision::CameraParameters camera = camera_;
     camera.format = viewed.frame.format;
-    perception.emplace(camera, field_);
+    perception.emplace(camera, field_, parameters_);
   }
   const auto start = std::chrono::steady_clock::now();
   const auto seen = perception->see(viewed.frame.view(), prior);

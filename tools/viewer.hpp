@@ -21,7 +21,9 @@ struct Viewed {
 /// format and one for pictures, each made when first needed.
 class Viewer {
  public:
-  Viewer(const vision::CameraParameters& camera, const FieldModel& field);
+  Viewer(const vision::CameraParameters& camera,
+         const FieldModel& field,
+         const vision::PerceptionParameters& parameters = {});
 
   /// @throws std::runtime_error naming the file, if it is no frame of this camera
   [[nodiscard]] Viewed look(const std::filesystem::path& image, const vision::MotionPrior& prior);
@@ -29,6 +31,7 @@ class Viewer {
  private:
   vision::CameraParameters camera_;
   FieldModel field_;
+  vision::PerceptionParameters parameters_;
   std::optional<vision::Perception> raw_;
   std::optional<vision::Perception> picture_;
 };

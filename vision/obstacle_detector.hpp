@@ -8,6 +8,10 @@
 
 #include "geometry/sighting.hpp"
 #include "vision/camera_model.hpp"
+#include "vision/carpet_hull.hpp"
+#include "vision/obstacle_feet.hpp"
+#include "vision/obstacle_model.hpp"
+#include "vision/obstacle_traits.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/scan_lines.hpp"
 
@@ -22,7 +26,7 @@ struct FreeSpace {
   friend bool operator==(const FreeSpace&, const FreeSpace&) = default;
 };
 
-/// What an obstacle most probably is, by its width.
+/// What an obstacle most probably is: a robot by its model, else somebody's legs.
 enum class ObstacleKind : std::uint8_t { kRobot, kLegs };
 
 /// Where a frame's image shows an obstacle; the pixel side of an ObstacleSighting.
@@ -31,7 +35,8 @@ struct ObstaclePixels {
   double v_px{0.0};
   ObstacleKind kind{ObstacleKind::kRobot};
   ColourClass shirt{ColourClass::kNone};  ///< the commonest strong colour above its foot
-  /// Some carpet is seen behind it on both sides; else it may be part of what surrounds the carpet.
+  ObstacleTraits traits{};
+  /// Its foot lies within the convex hull of the carpet that is seen.
   bool on_carpet{true};
 
   friend bool operator==(const ObstaclePixels&, const ObstaclePixels&) = default;
@@ -48,6 +53,7 @@ struct ObstacleCandidate {
 /// What an obstacle may look like.
 struct ObstacleRules {
   double robot_radius{0.25};  ///< m; much wider things are walls
+  ObstacleModel model{trained_obstacle_model()};
 };
 
 /// Walks outwards along each radial line until the carpet ends in something dark or strongly
@@ -67,47 +73,12 @@ class ObstacleDetector {
   [[nodiscard]] std::span<const FreeSpace> free_space() const { return free_; }
 
  private:
-  /// What one radial line runs into; places are pixels from the image centre.
-  struct Foot {
-    double azimuth{0.0};
-    double distance{0.0};  // of the foot, m
-    double depth{0.0};     // metres of floor per pixel there
-    float u{0.0F};
-    float v{0.0F};
-    float radius{0.0F};      // of the foot
-    float carpet_end{0.0F};  // from there on nothing is carpet any more
-    std::uint16_t index{0};  // of the radial line
-    bool stands{false};      // something dark or coloured has its foot on the carpet
-  };
-
-  /// Neighbouring lines, by index into feet_; `last` included, both may pass the end.
-  struct Group {
-    std::size_t first{0};
-    std::size_t last{0};
-  };
-
   [[nodiscard]] Foot foot_of(const RadialScan& scan,
                              const ScanLines& lines,
                              std::size_t index) const;
-  [[nodiscard]] std::size_t standing_in(const Group& group) const;
-
-  [[nodiscard]] const Foot& foot(std::size_t i) const { return feet_[i % feet_.size()]; }
-
-  [[nodiscard]] bool joined(const Foot& a, const Foot& b) const;
-  [[nodiscard]] double angle_of(const Group& group) const;
-  [[nodiscard]] double width_of(const Group& group) const;
-  [[nodiscard]] std::size_t nearest_in(const Group& group) const;
-  [[nodiscard]] Eigen::Vector2d front_of(const Group& group) const;
-  /// How far, in pixels, the view goes on beside the group; the smaller and the larger side.
-  [[nodiscard]] std::pair<double, double> prominence(const Group& group) const;
-  void collect_groups();
-  /// Where two obstacles side by side part: the deepest place between their nearest ones; `last`
-  /// if there is none.
-  [[nodiscard]] std::size_t valley_in(const Group& group) const;
-  void split(const Group& group);
   void join_legs();
-  void add(const Group& group, const RadialScan& scan, const ScanLines& lines);
-  [[nodiscard]] ColourClass shirt_of(const Group& group,
+  void add(const FootGroup& group, const RadialScan& scan, const ScanLines& lines);
+  [[nodiscard]] ColourClass shirt_of(const FootGroup& group,
                                      const RadialScan& scan,
                                      const ScanLines& lines) const;
 
@@ -115,9 +86,9 @@ class ObstacleDetector {
   Pixel centre_;
   std::vector<double> azimuths_;    // of the radial lines
   std::vector<std::uint8_t> runs_;  // of each radial sample: so many decide what stands there
-  double spacing_{0.0};             // of the lines; rad
-  std::vector<Foot> feet_;
-  std::vector<Group> groups_;
+  CarpetHull hull_;
+  Feet feet_;
+  std::vector<FootGroup> groups_;
   std::vector<FreeSpace> free_;
   std::vector<ObstacleCandidate> found_;
 };

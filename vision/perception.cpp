@@ -61,7 +61,7 @@ struct Perception::Tables {
         scan(lines, parameters.scan.chroma_window),
         rules{field.line_width, parameters.scan.min_contrast},
         balls(rays, parameters.mask, model.centre(), perception.ball_radius),
-        obstacles({perception.robot_radius}, lines, model),
+        obstacles({perception.robot_radius, perception.obstacles}, lines, model),
         head(head_of(rays)),
         goals(lines, model),
         sensors(parameters.sensors, parameters.width_px, parameters.height_px),

@@ -41,6 +41,7 @@ enum class FrameReject : std::uint8_t {
 struct PerceptionParameters {
   double ball_radius{0.11};   ///< m
   double robot_radius{0.25};  ///< m
+  ObstacleModel obstacles{trained_obstacle_model()};
 };
 
 /// Everything one frame says.

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr int kBallsFound = 51;
 constexpr int kBallsFalse = 11;
 constexpr int kRobotsFound = 62;
-constexpr int kRobotsFalse = 39;
+constexpr int kRobotsFalse = 6;
 
 std::string variable(const char* name, const std::string& otherwise) {
   // A test has one thread when it reads its environment.

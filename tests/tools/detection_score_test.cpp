@@ -51,6 +51,26 @@ TEST(DetectionScore, ExcusesObstaclesThatArePeople) {
   EXPECT_EQ(tally.wrong, 1U);
 }
 
+TEST(DetectionScore, JudgesEachObstacleForTraining) {
+  const ImageLabels labels{"x", {}, {{100, 100, true}, {300, 100, false}}, {{200, 200, true}}};
+
+  const auto verdicts = judge_robots(
+      labels, {{105, 100, true}, {130, 100, true}, {230, 200, true}, {330, 100, true}});
+
+  const std::vector<Verdict> expected{
+      Verdict::kRight, Verdict::kWrong, Verdict::kExcused, Verdict::kExcused};
+  EXPECT_EQ(verdicts, expected);
+}
+
+TEST(DetectionScore, FindsAPersonByEitherFoot) {
+  const ImageLabels labels{"x", {}, {}, {{100, 100, true}, {300, 300, true}}};
+
+  const Tally tally = score_people(labels, {{135, 100, true}, {95, 100, true}});
+
+  EXPECT_EQ(tally.labelled, 2U);
+  EXPECT_EQ(tally.found, 1U);
+}
+
 TEST(DetectionScore, KnowsWilsonsInterval) {
   const Interval interval = wilson(8, 10);  // by hand: 0.4902 ... 0.9433
 

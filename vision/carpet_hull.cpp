@@ -1,0 +1,95 @@
+// vision/carpet_hull.cpp: the monotone chain over where the radial lines leave the carpet.
+#include "vision/carpet_hull.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr std::size_t kWindow = 5;      // lines that must agree on how far the carpet reaches
+constexpr std::size_t kFewestEnds = 3;  // of a hull
+
+// Positive where `c` lies to the left of the way from `a` to `b`.
+float turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
+  const Eigen::Vector2f way = b - a;
+  const Eigen::Vector2f next = c - a;
+  return way.x() * next.y() - way.y() * next.x();
+}
+
+}  // namespace
+
+CarpetHull::CarpetHull(const ScanLines& lines) {
+  const std::size_t n = lines.radial().size();
+  reach_.reserve(n);
+  points_.reserve(n);
+  hull_.reserve(2 * n + 2);
+  ends_.reserve(n);
+}
+
+// A line may end in a green thing far away: it reaches no farther than the lines beside it.
+void CarpetHull::collect(const RadialScan& scan, const ScanLines& lines) {
+  const auto radial = lines.radial();
+  const std::size_t n = radial.size();
+  reach_.clear();
+  points_.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t end = scan.carpet_end(i);
+    const auto line = lines.samples(radial[i]);
+    reach_.push_back(end == 0 ? 0.0F : std::hypot(line[end - 1].x, line[end - 1].y));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<float, kWindow> beside{};
+    for (std::size_t k = 0; k < kWindow; ++k) beside[k] = reach_[(i + n + k - kWindow / 2) % n];
+    std::ranges::nth_element(beside, beside.begin() + kWindow / 2);
+    const float reach = std::min(reach_[i], beside[kWindow / 2]);
+    if (reach <= 0.0F) continue;
+    const ScanSample& last = lines.samples(radial[i])[scan.carpet_end(i) - 1];
+    points_.push_back(Eigen::Vector2f(last.x, last.y) * (reach / reach_[i]));
+  }
+}
+
+void CarpetHull::wrap() {
+  hull_.clear();
+  if (points_.size() < kFewestEnds) return;
+  std::ranges::sort(points_, [](const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+    return std::make_tuple(a.x(), a.y()) < std::make_tuple(b.x(), b.y());
+  });
+  const auto add = [&](const Eigen::Vector2f& point, std::size_t start) {
+    while (hull_.size() >= start + 2 &&
+           turn(hull_[hull_.size() - 2], hull_.back(), point) <= 0.0F) {
+      hull_.pop_back();
+    }
+    hull_.push_back(point);
+  };
+  for (const Eigen::Vector2f& point : points_) add(point, 0);
+  hull_.pop_back();
+  const std::size_t upper = hull_.size();
+  for (auto point = points_.rbegin(); point != points_.rend(); ++point) add(*point, upper);
+  hull_.pop_back();
+}
+
+void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
+  collect(scan, lines);
+  wrap();
+  ends_.clear();
+  const auto is_inside = [&](const ScanSample& sample) {
+    const Eigen::Vector2f place(sample.x, sample.y);
+    for (std::size_t k = 0; k < hull_.size(); ++k) {
+      if (turn(hull_[k], hull_[(k + 1) % hull_.size()], place) < 0.0F) return false;
+    }
+    return hull_.size() >= kFewestEnds;
+  };
+  for (std::size_t i = 0; i < lines.radial().size(); ++i) {
+    const auto line = lines.samples(lines.radial()[i]);
+    // The hull is convex and holds the line's last sample of carpet.
+    const auto behind = line.begin() + static_cast<std::ptrdiff_t>(scan.carpet_end(i));
+    const auto end = std::partition_point(behind, line.end(), is_inside);
+    ends_.push_back(static_cast<std::size_t>(end - line.begin()));
+  }
+}
+
+}  // namespace teamsight::vision

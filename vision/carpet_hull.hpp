@@ -1,0 +1,37 @@
+// vision/carpet_hull.hpp: how far the carpet reaches in each direction, were nothing standing on
+// it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vision/radial_scan.hpp"
+#include "vision/scan_lines.hpp"
+
+namespace teamsight::vision {
+
+/// A carpet has straight edges and no dents: what looks like a dent in the convex hull of the
+/// carpet that is seen is hidden by something. Its buffers are its only state.
+class CarpetHull {
+ public:
+  explicit CarpetHull(const ScanLines& lines);
+
+  void measure(const RadialScan& scan, const ScanLines& lines);
+
+  /// How many samples of each radial line lie inside the hull.
+  [[nodiscard]] std::size_t end(std::size_t radial_line) const { return ends_[radial_line]; }
+
+ private:
+  void collect(const RadialScan& scan, const ScanLines& lines);
+  void wrap();
+
+  std::vector<float> reach_;             // of each line; m
+  std::vector<Eigen::Vector2f> points_;  // on the floor, in R; m
+  std::vector<Eigen::Vector2f> hull_;    // counter-clockwise
+  std::vector<std::size_t> ends_;
+};
+
+}  // namespace teamsight::vision
