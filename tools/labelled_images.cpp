@@ -76,6 +76,7 @@ std::vector<SeriesSamples> obstacle_samples(const std::filesystem::path& data,
             .first;
     const vision::FrameObservation& seen = *viewer->second.look(data / image.labels.image, {}).seen;
     std::vector<Detection> feet;
+    feet.reserve(seen.obstacle_pixels.size());
     for (const auto& foot : seen.obstacle_pixels) feet.push_back({foot.u_px, foot.v_px, true});
     const std::vector<Verdict> verdicts = judge_robots(image.labels, feet);
     for (std::size_t i = 0; i < feet.size(); ++i) {
