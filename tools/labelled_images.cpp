@@ -75,9 +75,10 @@ std::vector<SeriesSamples> obstacle_samples(const std::filesystem::path& data,
         viewers.try_emplace(camera, settings::load_camera(camera), unknown_field(), everything())
             .first;
     const vision::FrameObservation& seen = *viewer->second.look(data / image.labels.image, {}).seen;
-    std::vector<Detection> feet;
-    feet.reserve(seen.obstacle_pixels.size());
-    for (const auto& foot : seen.obstacle_pixels) feet.push_back({foot.u_px, foot.v_px, true});
+    std::vector<Detection> feet(seen.obstacle_pixels.size());
+    std::ranges::transform(seen.obstacle_pixels, feet.begin(), [](const auto& foot) {
+      return Detection{foot.u_px, foot.v_px, true};
+    });
     const std::vector<Verdict> verdicts = judge_robots(image.labels, feet);
     for (std::size_t i = 0; i < feet.size(); ++i) {
       if (verdicts[i] == Verdict::kExcused) continue;
@@ -86,6 +87,7 @@ std::vector<SeriesSamples> obstacle_samples(const std::filesystem::path& data,
     }
   }
   std::vector<SeriesSamples> all;
+  all.reserve(by_series.size());
   for (auto& [series, samples] : by_series) all.push_back({series, std::move(samples)});
   return all;
 }
