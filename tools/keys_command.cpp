@@ -1,7 +1,9 @@
 // tools/keys_command.cpp: see keys_command.hpp. The cryptography is openssl's, the program.
 #include "tools/keys_command.hpp"
 
+#include <array>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -38,21 +40,53 @@ struct Options {
 // Curve P-256: the library knows this and RSA, and its handshake is the faster one.
 constexpr const char* kCurve = "ec_paramgen_curve:P-256";
 
-void run(std::vector<std::string> words) {
-  words.insert(words.begin(), "openssl");
+/// A file without a name for what openssl says, which matters only if it fails.
+using Chatter = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+Chatter make_chatter() {
+  Chatter chatter(std::tmpfile(), &std::fclose);
+  if (!chatter) throw std::runtime_error("keys: cannot make a temporary file in TMPDIR or /tmp");
+  return chatter;
+}
+
+std::string last_line(std::FILE* file) {
+  std::rewind(file);
+  std::array<char, 512> buffer{};
+  std::string line;
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), file) != nullptr) {
+    line = buffer.data();
+  }
+  line.erase(line.find_last_not_of("\r\n") + 1);
+  return line;
+}
+
+/// Starts a program of the path whose standard error goes to `chatter`.
+///
+/// @return its exit code; 128 and more if a signal ended it
+int run_program(std::vector<std::string>& words, std::FILE* chatter) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions{};
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(chatter), STDERR_FILENO);
   pid_t child = 0;
-  if (::posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) {
+  const int failure = ::posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) {
     throw std::runtime_error("keys: cannot start openssl; expected the package openssl installed");
   }
   int status = 0;
   ::waitpid(child, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("keys: openssl " + words[1] + " failed, its reason is above");
-  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void run(std::vector<std::string> words) {
+  words.insert(words.begin(), "openssl");
+  const Chatter chatter = make_chatter();
+  if (run_program(words, chatter.get()) == 0) return;
+  throw std::runtime_error("keys: openssl " + words[1] + " failed: " + last_line(chatter.get()));
 }
 
 void write_file(const fs::path& path, const std::string& text) {

@@ -32,6 +32,7 @@ class Keys : public ::testing::Test {
                        "--robots",
                        "1,2"});
     ASSERT_EQ(keys.wait_exit(kPatience), 0) << keys.err();
+    ASSERT_EQ(keys.err(), "") << "what openssl says is for nobody while it works";
   }
 
   static void TearDownTestSuite() { directory_.reset(); }
