@@ -14,6 +14,7 @@
 #include "bench/fuse_score/run.hpp"
 #include "process/program.hpp"
 #include "tools/score_command.hpp"
+#include "tools/score_rounding.hpp"
 
 namespace teamsight::tools {
 namespace {
@@ -27,11 +28,6 @@ struct Options {
   double seconds{20.0};
   bool no_peers{false};
 };
-
-/// To a tenth of a millimetre and the like: more digits are noise.
-double rounded(double value) {
-  return std::round(value * 1e4) / 1e4;
-}
 
 ordered_json ball_json(const score::BallTally& ball) {
   const double bound = std::sqrt(ball.bound_position.mean());

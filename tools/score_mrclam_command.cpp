@@ -1,5 +1,4 @@
 // tools/score_mrclam_command.cpp: see tools/score_command.hpp.
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,15 +11,12 @@
 #include "bench/mrclam/score.hpp"
 #include "process/program.hpp"
 #include "tools/score_command.hpp"
+#include "tools/score_rounding.hpp"
 
 namespace teamsight::tools {
 namespace {
 
 using nlohmann::ordered_json;
-
-double rounded(double value) {
-  return std::round(value * 1e4) / 1e4;
-}
 
 ordered_json json_of(const mrclam::PostureScore& score) {
   ordered_json json;

@@ -12,15 +12,12 @@
 #include "process/program.hpp"
 #include "tools/league_team.hpp"
 #include "tools/score_command.hpp"
+#include "tools/score_rounding.hpp"
 
 namespace teamsight::tools {
 namespace {
 
 using nlohmann::ordered_json;
-
-double rounded(double value) {
-  return std::round(value * 1e4) / 1e4;
-}
 
 ordered_json score_json(const score::LeagueScore& score) {
   ordered_json json;
