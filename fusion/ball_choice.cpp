@@ -18,7 +18,7 @@ namespace {
 /// Place and velocity on the floor.
 using Motion = Eigen::Vector4d;
 using MotionCov = Eigen::Matrix4d;
-const std::array<int, 4> kOnFloor{0, 1, 3, 4};
+constexpr std::array<int, 4> kOnFloor{0, 1, 3, 4};
 
 double log_density(const Motion& gap, const MotionCov& cov) {
   const Eigen::LLT<MotionCov> factor(cov);

@@ -117,8 +117,8 @@ bool is_shown(const BallTrack& track,
          is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball.max_sigma_published);
 }
 
-/// In the order of choice. Where the first choice is known too badly to be shown, what comes after
-/// it is probably false: that is shown only if more than one robot's word stands for it.
+/// In the order of choice. Where one is known too badly to be shown, what comes after it is
+/// probably false: that is shown only if more than one robot's word stands for it.
 std::vector<WorldBall> best_balls(const State& state, HostTime now, const Parameters& parameters) {
   std::vector<WorldBall> balls;
   bool is_in_shadow = false;

@@ -30,6 +30,7 @@ constexpr double kLegWidth = 0.24;       // m; narrower things are legs
 constexpr double kLegConfidence = 0.4;   // of what is narrow and well inside the carpet
 constexpr double kStride = 0.6;          // m between the legs of one person
 constexpr double kFootSigma = 1.5;       // px, of the foot
+constexpr std::size_t kAboveFoot = 60;   // samples that may show a shirt
 constexpr std::size_t kFewestRays = 3;
 
 bool is_standing(Surface surface) {
@@ -148,12 +149,9 @@ ColourClass ObstacleDetector::shirt_of(const FootGroup& group,
   for (std::size_t i = group.first; i <= group.last; ++i) {
     const Foot& here = feet_[i];
     const ScanRange& range = lines.radial()[here.index];
-    const auto line = lines.samples(range);
     const auto classes = scan.classes(range);
-    std::size_t k = 0;
-    while (k < line.size() && (line[k].u != here.u || line[k].v != here.v)) ++k;
-    const std::size_t end = std::min(line.size(), k + 60);
-    for (; k < end; ++k) ++votes[static_cast<std::size_t>(classes[k])];
+    const std::size_t end = std::min(classes.size(), here.sample + kAboveFoot);
+    for (std::size_t k = here.sample; k < end; ++k) ++votes[static_cast<std::size_t>(classes[k])];
   }
   ColourClass best = ColourClass::kNone;
   std::size_t most = 3 * (group.last - group.first + 1);

@@ -2,6 +2,7 @@
 #include "bench/fuse_score/league.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -218,6 +219,25 @@ fusion::Parameters parameters_of_lists() {
   return of_lists;
 }
 
+/// Places in the list of scores; kNames stand in the same order.
+enum Estimator : std::size_t {
+  kAsRecorded,
+  kWithinLines,
+  kNewestList,
+  kFused,
+  kFusedLists,
+  kInformationFilter,
+  kTwoWitnesses
+};
+
+constexpr std::array<const char*, 7> kNames{"as-recorded",
+                                            "recorded-within-lines",
+                                            "newest-list",
+                                            "teamsight",
+                                            "teamsight-silence-says-nothing",
+                                            "information-filter",
+                                            "two-witnesses"};
+
 /// One team's game, tick by tick.
 class LeagueRun {
  public:
@@ -227,14 +247,7 @@ class LeagueRun {
         spans_(spans),
         fused_(parameters()),
         fused_lists_(parameters_of_lists()) {
-    const char* names[] = {"as-recorded",
-                           "recorded-within-lines",
-                           "newest-list",
-                           "teamsight",
-                           "teamsight-silence-says-nothing",
-                           "information-filter",
-                           "two-witnesses"};
-    for (const char* name : names) result_.scores.push_back({name, {}, {}, {}});
+    for (const char* name : kNames) result_.scores.push_back({name, {}, {}, {}});
   }
 
   LeagueResult run() {
@@ -245,8 +258,8 @@ class LeagueRun {
         tick(ms);
       }
     }
-    result_.scores[3].counts = fused_.counts();
-    result_.scores[4].counts = fused_lists_.counts();
+    result_.scores[kFused].counts = fused_.counts();
+    result_.scores[kFusedLists].counts = fused_lists_.counts();
     return std::move(result_);
   }
 
@@ -272,8 +285,8 @@ class LeagueRun {
       places.push_back(obstacle.p_FO.vector());
       if (is_within_lines(obstacle.p_FO)) within_lines.push_back(places.back());
     }
-    add_nearest(places, Truth(*truth), result_.scores[0].nearest);
-    add_nearest(within_lines, Truth(*truth), result_.scores[1].nearest);
+    add_nearest(places, Truth(*truth), result_.scores[kAsRecorded].nearest);
+    add_nearest(within_lines, Truth(*truth), result_.scores[kWithinLines].nearest);
   }
 
   void deliver(const LeagueRecord& record) {
@@ -297,17 +310,17 @@ class LeagueRun {
     const Truth truth(*record);
     const HostTime now = host_time(ms, start_ms_);
     if (newest_ != nullptr && ms - newest_->arrival_ms <= kListMs) {
-      score(strangers(*newest_), truth, 2);
+      score(strangers(*newest_), truth, kNewestList);
     } else {
-      score({}, truth, 2);
+      score({}, truth, kNewestList);
     }
-    score(fused_.obstacles(now), truth, 3);
-    score(fused_lists_.obstacles(now), truth, 4);
-    score(places_of(filter_.obstacles(seconds(now))), truth, 5);
-    score(places_of(witnesses_.obstacles(seconds(now))), truth, 6);
+    score(fused_.obstacles(now), truth, kFused);
+    score(fused_lists_.obstacles(now), truth, kFusedLists);
+    score(places_of(filter_.obstacles(seconds(now))), truth, kInformationFilter);
+    score(places_of(witnesses_.obstacles(seconds(now))), truth, kTwoWitnesses);
   }
 
-  void score(const Places& estimates, const Truth& truth, std::size_t estimator) {
+  void score(const Places& estimates, const Truth& truth, Estimator estimator) {
     LeagueScore& score = result_.scores[estimator];
     add_nearest(estimates, truth, score.nearest);
     count_gospa(match_gospa(truth.places, truth.plays, estimates), score.obstacles);

@@ -165,6 +165,7 @@ void compare(const Mate& mate,
   if (known.quarantine != Quarantine::kNone) ++score.quarantined;
 }
 
+/// All robots, and the fusion that hears them without loss or delay.
 class Team {
  public:
   Team(const RobotLogs& logs, std::optional<RobotId> blind)
