@@ -16,11 +16,12 @@ bool contains(const BallKeys& keys, std::uint32_t key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Whether `found` is what `lost` was: seen first after the other was seen last, where that may be.
+/// Whether `found` is real and what `lost` was: seen first after the other was seen last, where
+/// that may be.
 bool may_be(const BallTrack& lost, const BallTrack& found, const ChoiceParameters& parameters) {
   constexpr double kClear = 3.0;  // log-odds over its being a false one: 95 %
   return lost.book.is_confirmed && found.book.born - lost.book.last_hit >= kShortestLoss &&
-         log_explained(lost, found, parameters) >= kClear;
+         log_odds_of(found.book) + log_explained(lost, found, parameters) >= kClear;
 }
 
 /// The track that `found` goes on from, or the list's size.
