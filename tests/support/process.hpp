@@ -35,7 +35,7 @@ namespace teamsight::test {
 
 /// A DDS domain id that no other test or demo on this machine uses while this one lives.
 ///
-/// Even, in [2, 226]; the next one up is free as well, for a host domain. The same in every call
+/// Even, in [2, 98]; the next one up is free as well, for a host domain. The same in every call
 /// of one process. Claimed by a lock on a file in the temporary directory, which ends with the
 /// process.
 ///
