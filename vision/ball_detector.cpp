@@ -346,7 +346,7 @@ void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) 
   for (std::size_t i = 0; i < end; ++i) {
     // Two in a row: single pixels of noise are not worth a search.
     if (classes[i] != ColourClass::kBall || classes[i + 1] != ColourClass::kBall) continue;
-    const std::size_t pixel = taps[i].nearest;
+    const std::size_t pixel = taps[i].nearest(frame.pixels.width());
     if (visited_[pixel] == frame_ || blobs_.size() == kMostBlobs) continue;
     const Blob blob = grow(frame, pixel);
     if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);

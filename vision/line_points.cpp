@@ -109,7 +109,7 @@ bool is_carpet(const PixelReader& pixels,
   for (std::ptrdiff_t k = 0; k < 3; ++k) {
     const std::ptrdiff_t i = first + k * step;
     if (i < 0 || i >= static_cast<std::ptrdiff_t>(taps.size())) continue;
-    const std::size_t pixel = taps[static_cast<std::size_t>(i)].nearest;
+    const std::size_t pixel = taps[static_cast<std::size_t>(i)].nearest(pixels.width());
     const Chroma chroma = pixels.chroma(pixel);
     u += chroma.u;
     v += chroma.v;

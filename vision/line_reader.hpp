@@ -1,6 +1,7 @@
 // vision/line_reader.hpp: luminance and chroma along a scan line, the frame's format asked once.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,7 +32,7 @@ class ChromaReader {
  private:
   std::size_t window_;
   std::uint32_t reciprocal_;
-  std::vector<Chroma> single_;  // half a window longer at both ends
+  std::vector<std::uint32_t> single_;  // u + (v << 16); half a window longer at both ends
   std::vector<Chroma> mean_;
 };
 

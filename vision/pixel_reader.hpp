@@ -33,12 +33,6 @@ struct Chroma {
   return static_cast<std::uint8_t>((7471 * b + 38470 * g + 19595 * r + 32768) >> 16);
 }
 
-/// Bytes of a frame that lie evenly spaced.
-struct BytePlane {
-  const std::uint8_t* first{nullptr};
-  std::size_t step{0};  ///< bytes from one to the next; 0: there is no such plane
-};
-
 /// Reads a frame's pixels by their index (row * width + column), whatever its format.
 class PixelReader {
  public:
@@ -52,6 +46,11 @@ class PixelReader {
   }
 
   [[nodiscard]] std::uint32_t width() const { return width_; }
+
+  [[nodiscard]] PixelFormat format() const { return format_; }
+
+  /// As the camera gave them, for who reads many pixels of one format.
+  [[nodiscard]] const std::uint8_t* bytes() const { return bytes_; }
 
   [[nodiscard]] std::uint8_t luminance(std::size_t pixel) const {
     switch (format_) {
@@ -69,27 +68,6 @@ class PixelReader {
     }
     const Bgr colour = bayer(pixel);
     return luminance_of_bgr(colour.b, colour.g, colour.r);
-  }
-
-  /// The luminance of all pixels, where the frame has it as such.
-  [[nodiscard]] BytePlane luminance_plane() const {
-    switch (format_) {
-      case PixelFormat::kYuyv:
-        return {bytes_, 2};
-      case PixelFormat::kUyvy:
-        return {bytes_ + 1, 2};
-      case PixelFormat::kGrey:
-      case PixelFormat::kNv12:
-        return {bytes_, 1};
-      default:
-        return {};
-    }
-  }
-
-  /// The u of each two pixels, where two pixels share four bytes; their v is two bytes on.
-  [[nodiscard]] BytePlane chroma_pairs() const {
-    if (format_ == PixelFormat::kYuyv) return {bytes_ + 1, 4};
-    return format_ == PixelFormat::kUyvy ? BytePlane{bytes_, 4} : BytePlane{};
   }
 
   /// Grey images have none: (128, 128).

@@ -16,6 +16,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kCircleSpacing = 6;            // px between circles
 constexpr int kFirstCircle = 8;              // px; nearer to the centre there is only own body
+constexpr double kSubpixels = 256.0;         // of a tap
 constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
 constexpr std::size_t kShortest = 8;         // samples; no line fits into less
 
@@ -50,20 +51,17 @@ class Sampler {
   [[nodiscard]] ScanStep step_at(const Pixel& pixel, const Point<Robot>& floor) const {
     const double column = std::floor(pixel.u);
     const double row = std::floor(pixel.v);
-    const auto index = [&](double u, double v) {
-      return static_cast<std::uint32_t>(v) * rays_.width() + static_cast<std::uint32_t>(u);
-    };
     SampleTap tap;
-    tap.corner = index(column, row);
-    tap.nearest = index(std::round(pixel.u), std::round(pixel.v));
-    tap.right = static_cast<float>(pixel.u - column);
-    tap.below = static_cast<float>(pixel.v - row);
+    tap.corner =
+        static_cast<std::uint32_t>(row) * rays_.width() + static_cast<std::uint32_t>(column);
+    tap.right = static_cast<std::uint8_t>(kSubpixels * (pixel.u - column));
+    tap.below = static_cast<std::uint8_t>(kSubpixels * (pixel.v - row));
     ScanSample sample;
     sample.u = static_cast<float>(pixel.u);
     sample.v = static_cast<float>(pixel.v);
     sample.x = static_cast<float>(floor.x);
     sample.y = static_cast<float>(floor.y);
-    const PixelRay& ray = rays_[tap.nearest];
+    const PixelRay& ray = rays_[tap.nearest(rays_.width())];
     sample.radial_footprint = std::max(ray.radial_footprint, kSmallestFootprint);
     sample.tangential_footprint = std::max(ray.tangential_footprint, kSmallestFootprint);
     return {tap, sample};

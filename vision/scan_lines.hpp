@@ -14,12 +14,17 @@
 
 namespace teamsight::vision {
 
-/// Where a frame is read for one sample: all that is needed of every sample of every frame.
+/// Where a frame is read for one sample: all that is needed of every sample of every frame, small,
+/// for there are some hundred thousand.
 struct SampleTap {
-  std::uint32_t corner{0};   ///< index of the pixel left above; all four around it are in the image
-  std::uint32_t nearest{0};  ///< index of the nearest pixel
-  float right{0.0F};         ///< how far between `corner` and its right neighbour, in [0, 1)
-  float below{0.0F};         ///< the same downwards
+  std::uint32_t corner{0};  ///< index of the pixel left above; all four around it are in the image
+  std::uint8_t right{0};    ///< how far between `corner` and its right neighbour; 1/256 px
+  std::uint8_t below{0};    ///< the same downwards
+
+  /// Index of the nearest pixel, in an image of that width in pixels.
+  [[nodiscard]] std::size_t nearest(std::size_t width) const {
+    return corner + (right >> 7U) + (below >> 7U) * width;
+  }
 };
 
 /// One step of a scan line, about one pixel from the last.
