@@ -7,7 +7,7 @@
 #include "tools/calibrate_lines.hpp"
 #include "tools/calibrate_mask.hpp"
 #include "tools/calibrate_rings.hpp"
-#include "tools/calibrate_robots.hpp"
+#include "tools/calibrate_traits.hpp"
 
 namespace teamsight::tools {
 
@@ -18,7 +18,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   add_calibrate_lines(*command, exit_code);
   add_calibrate_mask(*command, exit_code);
   add_calibrate_rings(*command, exit_code);
-  add_calibrate_robots(*command, exit_code);
+  add_calibrate_traits(*command, exit_code);
 }
 
 }  // namespace teamsight::tools

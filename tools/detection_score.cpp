@@ -21,6 +21,10 @@ double apart(const Detection& detection, double u, double v) {
   return std::hypot(detection.u - u, detection.v - v);
 }
 
+double reach_of(const LabelledBall& ball) {
+  return std::max(ball.radius, kLeastBall);
+}
+
 /// Detections that no label has taken yet.
 class Unmatched {
  public:
@@ -135,7 +139,7 @@ Tally score_balls(const ImageLabels& labels, const std::vector<Detection>& balls
   Tally tally;
   Unmatched unmatched(balls);
   for (const LabelledBall& ball : labels.balls) {
-    note(tally, ball.counts, unmatched.take(ball.u, ball.v, std::max(ball.radius, kLeastBall)));
+    note(tally, ball.counts, unmatched.take(ball.u, ball.v, reach_of(ball)));
   }
   unmatched.count_rest(tally, [](const Detection&) { return false; });
   return tally;
@@ -159,6 +163,22 @@ Tally score_people(const ImageLabels& labels, const std::vector<Detection>& obst
     note(tally, person.counts, unmatched.take(person.u, person.v, kPersonReach));
   }
   return tally;
+}
+
+std::vector<Verdict> judge_balls(const ImageLabels& labels, const std::vector<Detection>& balls) {
+  Unmatched unmatched(balls);
+  for (const LabelledBall& ball : labels.balls) {
+    if (ball.counts) (void)unmatched.take(ball.u, ball.v, reach_of(ball));
+  }
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const bool excused = std::ranges::any_of(labels.balls, [&](const LabelledBall& ball) {
+      return apart(balls[i], ball.u, ball.v) <= reach_of(ball);
+    });
+    const Verdict otherwise = excused ? Verdict::kExcused : Verdict::kWrong;
+    verdicts.push_back(unmatched.is_taken(i) ? Verdict::kRight : otherwise);
+  }
+  return verdicts;
 }
 
 std::vector<Verdict> judge_robots(const ImageLabels& labels,

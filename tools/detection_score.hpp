@@ -43,14 +43,20 @@ struct Detection {
   bool on_carpet{true};
 };
 
-/// What the labels say of something that was taken for a robot.
+/// What the labels say of something that was taken for a ball or a robot.
 enum class Verdict : std::uint8_t {
-  kRight,    ///< within 15 px of a robot's foot, and nearer than what else is
-  kExcused,  ///< within 40 px of a person, or of a robot that does not count
+  kRight,    ///< nearest to a label, and near enough
+  kExcused,  ///< near something that neither helps nor harms
   kWrong,
 };
 
-/// In the order of `obstacles`.
+/// In the order of `balls`: near enough is within the larger of a ball's radius and 4 px; excused
+/// is what is as near to a ball that does not count, or to one that another detection has taken.
+[[nodiscard]] std::vector<Verdict> judge_balls(const ImageLabels& labels,
+                                               const std::vector<Detection>& balls);
+
+/// In the order of `obstacles`: near enough is within 15 px of a robot's foot; excused is what is
+/// within 40 px of a person, or of a robot that does not count.
 [[nodiscard]] std::vector<Verdict> judge_robots(const ImageLabels& labels,
                                                 const std::vector<Detection>& obstacles);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -45,12 +47,53 @@ const CameraRule* rule_for(const std::vector<CameraRule>& rules, const std::stri
   return best;
 }
 
-// Reports whatever stands anywhere.
+// Reports whatever stands anywhere, or has the ball's colour.
 vision::PerceptionParameters everything() {
   vision::PerceptionParameters parameters;
   parameters.obstacles = {};
   parameters.obstacles.least = 0.0;
+  parameters.balls = {};
+  parameters.balls.least = 0.0;
+  parameters.most_balls = std::numeric_limits<std::size_t>::max();
   return parameters;
+}
+
+// Where a frame shows what has these pixels.
+template <class Pixels>
+std::vector<Detection> places_of(const std::vector<Pixels>& all) {
+  std::vector<Detection> places(all.size());
+  std::ranges::transform(all, places.begin(), [](const Pixels& one) {
+    return Detection{one.u_px, one.v_px, true};
+  });
+  return places;
+}
+
+/// @param pixels_of  those of an observation that may be what is wanted
+/// @param judge      gives each a verdict, from an image's labels and their places
+template <std::size_t kSize, class PixelsOf, class Judge>
+std::vector<SeriesSamples<kSize>> samples_of(const std::filesystem::path& data,
+                                             const std::vector<LabelledImage>& images,
+                                             PixelsOf pixels_of,
+                                             Judge judge) {
+  std::map<std::string, Viewer> viewers;
+  std::map<std::string, std::vector<vision::TraitSample<kSize>>> by_series;
+  for (const LabelledImage& image : images) {
+    const std::string camera = image.rule.camera.string();
+    const auto viewer =
+        viewers.try_emplace(camera, settings::load_camera(camera), unknown_field(), everything())
+            .first;
+    const Viewed viewed = viewer->second.look(data / image.labels.image, {});
+    const auto& pixels = pixels_of(*viewed.seen);
+    const std::vector<Verdict> verdicts = judge(image.labels, places_of(pixels));
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      if (verdicts[i] == Verdict::kExcused) continue;
+      by_series[image.rule.series].push_back({pixels[i].traits, verdicts[i] == Verdict::kRight});
+    }
+  }
+  std::vector<SeriesSamples<kSize>> all;
+  all.reserve(by_series.size());
+  for (auto& [series, samples] : by_series) all.push_back({series, std::move(samples)});
+  return all;
 }
 
 }  // namespace
@@ -65,43 +108,16 @@ std::vector<LabelledImage> read_labelled_images(const LabelledFolder& folder) {
   return images;
 }
 
-std::vector<SeriesSamples> obstacle_samples(const std::filesystem::path& data,
-                                            const std::vector<LabelledImage>& images) {
-  std::map<std::string, Viewer> viewers;
-  std::map<std::string, std::vector<vision::ObstacleSample>> by_series;
-  for (const LabelledImage& image : images) {
-    const std::string camera = image.rule.camera.string();
-    const auto viewer =
-        viewers.try_emplace(camera, settings::load_camera(camera), unknown_field(), everything())
-            .first;
-    const vision::FrameObservation& seen = *viewer->second.look(data / image.labels.image, {}).seen;
-    std::vector<Detection> feet(seen.obstacle_pixels.size());
-    std::ranges::transform(seen.obstacle_pixels, feet.begin(), [](const auto& foot) {
-      return Detection{foot.u_px, foot.v_px, true};
-    });
-    const std::vector<Verdict> verdicts = judge_robots(image.labels, feet);
-    for (std::size_t i = 0; i < feet.size(); ++i) {
-      if (verdicts[i] == Verdict::kExcused) continue;
-      by_series[image.rule.series].push_back(
-          {seen.obstacle_pixels[i].traits, verdicts[i] == Verdict::kRight});
-    }
-  }
-  std::vector<SeriesSamples> all;
-  all.reserve(by_series.size());
-  for (auto& [series, samples] : by_series) all.push_back({series, std::move(samples)});
-  return all;
+ObstacleSamples obstacle_samples(const std::filesystem::path& data,
+                                 const std::vector<LabelledImage>& images) {
+  return samples_of<vision::kTraits>(
+      data, images, std::mem_fn(&vision::FrameObservation::obstacle_pixels), judge_robots);
 }
 
-vision::ObstacleModel model_without(const std::string& series,
-                                    const std::vector<SeriesSamples>& all) {
-  std::vector<vision::ObstacleSample> samples;
-  for (const SeriesSamples& one : all) {
-    if (one.series == series) continue;
-    samples.insert(samples.end(), one.samples.begin(), one.samples.end());
-  }
-  const auto model = vision::train_obstacle_model(samples);
-  if (!model) throw std::runtime_error("found no robots, or nothing else, to train on");
-  return *model;
+BallSamples ball_samples(const std::filesystem::path& data,
+                         const std::vector<LabelledImage>& images) {
+  return samples_of<vision::kBallTraits>(
+      data, images, std::mem_fn(&vision::FrameObservation::ball_pixels), judge_balls);
 }
 
 }  // namespace teamsight::tools

@@ -100,8 +100,12 @@ void draw(const std::filesystem::path& folder, const std::string& image, const V
 
 int score_detect(const ScoreDetectOptions& options) {
   const std::vector<LabelledImage> images = read_labelled_images(options.folder);
-  std::vector<SeriesSamples> samples;
-  if (options.series_out) samples = obstacle_samples(options.folder.data, images);
+  ObstacleSamples obstacles;
+  BallSamples balls;
+  if (options.series_out) {
+    obstacles = obstacle_samples(options.folder.data, images);
+    balls = ball_samples(options.folder.data, images);
+  }
   if (!options.draw.empty()) std::filesystem::create_directories(options.draw);
   std::map<std::string, Viewer> viewers;
   Scores by_series;
@@ -111,7 +115,10 @@ int score_detect(const ScoreDetectOptions& options) {
     const std::string camera =
         options.only_camera.empty() ? rule.camera.string() : options.only_camera;
     vision::PerceptionParameters parameters;
-    if (options.series_out) parameters.obstacles = model_without(rule.series, samples);
+    if (options.series_out) {
+      parameters.obstacles = model_without(rule.series, obstacles, kLeastOfRobots);
+      parameters.balls = model_without(rule.series, balls, kLeastOfBalls);
+    }
     const auto viewer =
         viewers
             .try_emplace(
@@ -147,7 +154,7 @@ void add_score_detect_command(CLI::App& score, int& exit_code) {
   command->add_option("--camera", options->only_camera, "one camera file for all of them instead");
   command->add_flag("--series-out",
                     options->series_out,
-                    "tell robots by a model trained on the other series only");
+                    "tell balls and robots by models trained on the other series only");
   command->add_option("--draw", options->draw, "folder for a picture of each image");
   command->callback([options, &exit_code] { exit_code = score_detect(*options); });
 }

@@ -89,8 +89,7 @@ ObstacleDetector::ObstacleDetector(const ObstacleRules& rules,
                                    const ScanLines& lines,
                                    const CameraModel& model)
     : rules_(rules),
-      centre_(model.centre()),
-      hull_(lines) {
+      centre_(model.centre()) {
   for (const ScanRange& range : lines.radial()) {
     azimuths_.push_back(model.azimuth(range.image_direction));
     const auto line = lines.samples(range);
@@ -165,7 +164,7 @@ ColourClass ObstacleDetector::shirt_of(const FootGroup& group,
   return best;
 }
 
-void ObstacleDetector::add(const FootGroup& group, const RadialScan& scan, const ScanLines& lines) {
+void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
   const std::size_t count = group.last - group.first + 1;
   const std::size_t standing = feet_.standing_in(group);
   if (standing < kFewestRays || 5 * standing < 3 * count) return;
@@ -174,8 +173,8 @@ void ObstacleDetector::add(const FootGroup& group, const RadialScan& scan, const
   const bool touches = nearest.distance < 0.6;  // the own body hides its sides
   if (width < kNarrowest || (width > 5.0 * rules_.robot_radius && !touches)) return;
   const double smaller = feet_.prominence(group).first;
-  const ColourClass shirt = shirt_of(group, scan, lines);
-  const ObstacleTraits traits = traits_of(group, {feet_, scan, lines, hull_, rules_.robot_radius});
+  const ColourClass shirt = shirt_of(group, source.scan, source.lines);
+  const ObstacleTraits traits = traits_of(group, source);
   const double likely = probability(rules_.model, traits);
   const bool is_robot = likely >= rules_.model.least;
   if (!is_robot && (width > kLegWidth || smaller < kWellInside)) return;
@@ -192,7 +191,7 @@ void ObstacleDetector::add(const FootGroup& group, const RadialScan& scan, const
   const Eigen::Vector2d front = feet_.front_of(group);
   candidate.pixels.u_px = front.x();
   candidate.pixels.v_px = front.y();
-  candidate.pixels.on_carpet = nearest.sample < hull_.end(nearest.index);
+  candidate.pixels.on_carpet = nearest.sample < source.hull.end(nearest.index);
   const Eigen::Vector2d away{std::cos(candidate.azimuth), std::sin(candidate.azimuth)};
   const Eigen::Vector2d across{-away.y(), away.x()};
   sighting.p_RO = Point<Robot>::from(nearest.distance * away);
@@ -221,7 +220,8 @@ void ObstacleDetector::join_legs() {
 }
 
 std::span<const ObstacleCandidate> ObstacleDetector::find(const RadialScan& scan,
-                                                          const ScanLines& lines) {
+                                                          const ScanLines& lines,
+                                                          const CarpetHull& hull) {
   feet_.clear();
   free_.clear();
   found_.clear();
@@ -233,9 +233,9 @@ std::span<const ObstacleCandidate> ObstacleDetector::find(const RadialScan& scan
     feet_.add(foot);
     free_.push_back({foot.azimuth, foot.distance, foot.stands});
   }
-  hull_.measure(scan, lines);
   feet_.collect(rules_.robot_radius, groups_);
-  for (const FootGroup& group : groups_) add(group, scan, lines);
+  const TraitSource source{feet_, scan, lines, hull, rules_.robot_radius};
+  for (const FootGroup& group : groups_) add(group, source);
   join_legs();
   if (found_.size() > kMaxObstacleSightings) found_.resize(kMaxObstacleSightings);
   return found_;

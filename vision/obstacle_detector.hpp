@@ -65,9 +65,11 @@ class ObstacleDetector {
   ObstacleDetector(const ObstacleRules& rules, const ScanLines& lines, const CameraModel& model);
 
   /// @param lines those of the constructor
+  /// @param hull of the same scan
   /// @return nearest first, at most kMaxObstacleSightings; valid until the next call
   [[nodiscard]] std::span<const ObstacleCandidate> find(const RadialScan& scan,
-                                                        const ScanLines& lines);
+                                                        const ScanLines& lines,
+                                                        const CarpetHull& hull);
 
   /// Of the last frame, one per radial line, by image direction.
   [[nodiscard]] std::span<const FreeSpace> free_space() const { return free_; }
@@ -77,7 +79,7 @@ class ObstacleDetector {
                              const ScanLines& lines,
                              std::size_t index) const;
   void join_legs();
-  void add(const FootGroup& group, const RadialScan& scan, const ScanLines& lines);
+  void add(const FootGroup& group, const TraitSource& source);
   [[nodiscard]] ColourClass shirt_of(const FootGroup& group,
                                      const RadialScan& scan,
                                      const ScanLines& lines) const;
@@ -86,7 +88,6 @@ class ObstacleDetector {
   Pixel centre_;
   std::vector<double> azimuths_;    // of the radial lines
   std::vector<std::uint8_t> runs_;  // of each radial sample: so many decide what stands there
-  CarpetHull hull_;
   Feet feet_;
   std::vector<FootGroup> groups_;
   std::vector<FreeSpace> free_;

@@ -1,15 +1,7 @@
-// vision/obstacle_model.cpp: the logistic function, and the weights.
+// vision/obstacle_model.cpp: the weights.
 #include "vision/obstacle_model.hpp"
 
-#include <cmath>
-
 namespace teamsight::vision {
-
-double probability(const ObstacleModel& model, const ObstacleTraits& traits) {
-  double log_odds = model.bias;
-  for (std::size_t i = 0; i < kTraits; ++i) log_odds += model.weights[i] * traits[i];
-  return 1.0 / (1.0 + std::exp(-log_odds));
-}
 
 ObstacleModel trained_obstacle_model() {
   ObstacleModel model;

@@ -1,23 +1,14 @@
-// vision/obstacle_model.hpp: how probably something with given traits stands on the carpet.
+// vision/obstacle_model.hpp: how probably something with given traits is a robot.
 #pragma once
 
 #include "vision/obstacle_traits.hpp"
+#include "vision/trait_model.hpp"
 
 namespace teamsight::vision {
 
-/// Log-odds as a weighted sum of the traits.
-struct ObstacleModel {
-  ObstacleTraits weights{};
-  double bias{0.0};
-  double least{0.5};  ///< probability from which it is reported
+using ObstacleModel = TraitModel<kTraits>;
 
-  friend bool operator==(const ObstacleModel&, const ObstacleModel&) = default;
-};
-
-/// That it is a robot or a person on the carpet, in [0, 1].
-[[nodiscard]] double probability(const ObstacleModel& model, const ObstacleTraits& traits);
-
-/// What `teamsight train obstacles` made of the labelled images; see vision/README.md for how well
+/// What `teamsight calibrate robots` made of the labelled images; see vision/README.md for how well
 /// it does on images it was not made from.
 [[nodiscard]] ObstacleModel trained_obstacle_model();
 

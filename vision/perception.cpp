@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/expect.hpp"
+#include "vision/carpet_hull.hpp"
 #include "vision/colour_classes.hpp"
 #include "vision/light.hpp"
 #include "vision/pixel_reader.hpp"
@@ -59,8 +60,12 @@ struct Perception::Tables {
         colours(parameters.colours),
         lines(parameters, model, rays),
         scan(lines, parameters.scan.chroma_window),
+        hull(lines),
         rules{field.line_width, parameters.scan.min_contrast},
-        balls(rays, parameters.mask, model.centre(), perception.ball_radius),
+        balls(rays,
+              parameters.mask,
+              model.centre(),
+              {perception.ball_radius, perception.balls, perception.most_balls}),
         obstacles({perception.robot_radius, perception.obstacles}, lines, model),
         head(head_of(rays)),
         goals(lines, model),
@@ -84,6 +89,7 @@ struct Perception::Tables {
   ColourClasses colours;
   ScanLines lines;
   RadialScan scan;
+  CarpetHull hull;
   LineRules rules;
   BallDetector balls;
   ObstacleDetector obstacles;
@@ -100,6 +106,7 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   points.clear();
   LightMeter meter;
   scan.read(pixels, colours, lines);
+  hull.measure(scan, lines);
   for (const ScanRange& range : lines.radial()) {
     const auto luminance = scan.luminance(range);
     meter.add(luminance);
@@ -149,7 +156,7 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
 void Perception::Tables::find_balls(const PixelReader& pixels) {
   observation.balls.clear();
   observation.ball_pixels.clear();
-  const auto found = balls.find({pixels, colours, lines, rays, scan});
+  const auto found = balls.find({pixels, colours, lines, rays, scan, hull});
   for (const BallCandidate& ball : found) {
     observation.balls.push_back(ball.ray);
     observation.ball_pixels.push_back(ball.pixels);
@@ -161,7 +168,7 @@ void Perception::Tables::find_balls(const PixelReader& pixels) {
 void Perception::Tables::find_obstacles() {
   observation.obstacles.clear();
   observation.obstacle_pixels.clear();
-  for (const ObstacleCandidate& obstacle : obstacles.find(scan, lines)) {
+  for (const ObstacleCandidate& obstacle : obstacles.find(scan, lines, hull)) {
     if (!is_on_field(obstacle, observation.posture, posture.map().field())) continue;
     observation.obstacles.push_back(obstacle.sighting);
     observation.obstacle_pixels.push_back(obstacle.pixels);

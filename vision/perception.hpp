@@ -42,12 +42,14 @@ struct PerceptionParameters {
   double ball_radius{0.11};   ///< m
   double robot_radius{0.25};  ///< m
   ObstacleModel obstacles{trained_obstacle_model()};
+  BallModel balls{trained_ball_model()};
+  std::size_t most_balls{kMaxBallRays};  ///< reported, of one frame
 };
 
 /// Everything one frame says.
 struct FrameObservation {
   PostureEstimate posture;
-  std::vector<BallRay> balls;                   ///< best first, at most kMaxBallRays
+  std::vector<BallRay> balls;                   ///< best first, at most `most_balls`
   std::vector<BallPixels> ball_pixels;          ///< of the ball with the same index
   std::vector<ObstacleSighting> obstacles;      ///< nearest first, at most kMaxObstacleSightings
   std::vector<ObstaclePixels> obstacle_pixels;  ///< of the obstacle with the same index

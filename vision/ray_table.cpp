@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace teamsight::vision {
 
@@ -93,6 +94,20 @@ std::optional<double> eye_height(const RayTable& rays) {
   }
   if (count == 0.0) return std::nullopt;
   return sum / count;
+}
+
+float solid_angle_of(const RayTable& rays, std::uint32_t u, std::uint32_t v) {
+  const auto direction = [&](std::uint32_t column, std::uint32_t row) {
+    const PixelRay& ray = rays.at(column, row);
+    return Eigen::Vector3f(ray.direction_x, ray.direction_y, ray.direction_z);
+  };
+  if (u + 1 >= rays.width() || v + 1 >= rays.height()) return 0.0F;
+  if (!rays.at(u, v).sees_something() || !rays.at(u + 1, v).sees_something() ||
+      !rays.at(u, v + 1).sees_something()) {
+    return 0.0F;
+  }
+  const Eigen::Vector3f here = direction(u, v);
+  return (direction(u + 1, v) - here).cross(direction(u, v + 1) - here).norm();
 }
 
 }  // namespace teamsight::vision

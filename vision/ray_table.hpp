@@ -66,4 +66,10 @@ class RayTable {
 /// @return nothing if no pixel sees floor
 [[nodiscard]] std::optional<double> eye_height(const RayTable& rays);
 
+/// The solid angle that a pixel covers: the parallelogram of its neighbours' directions; sr.
+///
+/// @pre u < width, v < height
+/// @return 0 in the last row and column, and where the mirror ends
+[[nodiscard]] float solid_angle_of(const RayTable& rays, std::uint32_t u, std::uint32_t v);
+
 }  // namespace teamsight::vision

@@ -62,6 +62,17 @@ TEST(DetectionScore, JudgesEachObstacleForTraining) {
   EXPECT_EQ(verdicts, expected);
 }
 
+TEST(DetectionScore, JudgesEachBallForTraining) {
+  const ImageLabels labels{"x", {{100, 100, 10, true}, {300, 100, 10, false}}, {}, {}};
+
+  const auto verdicts =
+      judge_balls(labels, {{108, 100, true}, {102, 100, true}, {150, 100, true}, {305, 100, true}});
+
+  const std::vector<Verdict> expected{
+      Verdict::kExcused, Verdict::kRight, Verdict::kWrong, Verdict::kExcused};
+  EXPECT_EQ(verdicts, expected);
+}
+
 TEST(DetectionScore, FindsAPersonByEitherFoot) {
   const ImageLabels labels{"x", {}, {}, {{100, 100, true}, {300, 300, true}}};
 

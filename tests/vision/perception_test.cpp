@@ -192,6 +192,58 @@ TEST(Perception, PointsItsRayAtTheBall) {
   EXPECT_EQ(ball.colour, BallColour::kOrange);
 }
 
+TEST(Perception, KnowsWhatMakesABallOnTheCarpetOne) {
+  const Scene scene{{-1.2, 0.8, 0.6}, Point3<Robot>{1.5, -0.7, 0.11}, std::nullopt};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  ASSERT_EQ((*seen)->ball_pixels.size(), 1U);
+  EXPECT_TRUE((*seen)->ball_pixels[0].on_carpet);
+  const auto [too_small, too_large, roundness, ground, inside_carpet, contrast] =
+      (*seen)->ball_pixels[0].traits;
+  EXPECT_LT(too_small + too_large, 0.1);  // within a third
+  EXPECT_GT(roundness, 0.7);
+  EXPECT_GT(ground, 0.9);
+  EXPECT_GT(inside_carpet, 0.5);                                         // ten pixels
+  EXPECT_NEAR(contrast, std::log(std::hypot(61 - 101, 200 - 94)), 0.2);  // orange on green
+}
+
+TEST(Perception, TakesBothSidesOfAMaskedStrutForOneBall) {
+  const Point3<Robot> p_RB{0.7, 0.0, 0.11};
+  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
+  CameraParameters camera = small_camera();
+  // Forward is up in the picture: a strut of five pixels over the middle of the ball.
+  camera.mask.polygons = {{{157, 0}, {162, 0}, {162, 100}, {157, 100}}};
+  Perception perception(camera, test_field());
+  const auto bytes = frame_of(camera, test_field(), scene);
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  ASSERT_EQ((*seen)->balls.size(), 1U);
+  const BallRay& ball = (*seen)->balls.front();
+  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
+  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.03);
+}
+
+TEST(Perception, SeesABallInTheAirOverTheCarpet) {
+  const Point3<Robot> p_RB{0.9, 0.3, 0.4};
+  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
+  Perception perception(small_camera(), test_field());
+  const auto bytes = frame_of(small_camera(), test_field(), scene);
+
+  const auto seen = perception.see(view_of(bytes), {});
+
+  ASSERT_TRUE(seen);
+  ASSERT_EQ((*seen)->balls.size(), 1U);
+  const BallRay& ball = (*seen)->balls.front();
+  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
+  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.03);
+}
+
 TEST(Perception, FindsTheFootOfAnObstacle) {
   const Point<Robot> p_RO{1.4, 1.0};
   const Scene scene{{-1.2, 0.8, 0.6}, std::nullopt, p_RO};
