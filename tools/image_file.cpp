@@ -1,10 +1,13 @@
 // tools/image_file.cpp: reading frames; OpenCV reads everything but raw dumps.
 #include "tools/image_file.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -29,9 +32,34 @@ ImageFile from_mat(const cv::Mat& picture, vision::PixelFormat format) {
   return file;
 }
 
+std::vector<char> bytes_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Whether the bytes begin as PNG or JPEG and do not end so: OpenCV fills up what is missing of a
+// JPEG, and its libraries complain for themselves.
+bool is_cut_short(std::string_view bytes) {
+  constexpr std::string_view kPngBegins = "\x89PNG";
+  constexpr std::string_view kPngEnds = "IEND";
+  constexpr std::string_view kJpegBegins = "\xFF\xD8\xFF";
+  constexpr std::string_view kJpegEnds = "\xFF\xD9";
+  constexpr std::size_t kTail = 256;  // some writers append a little
+  const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTail));
+  if (bytes.starts_with(kPngBegins)) return tail.find(kPngEnds) == std::string_view::npos;
+  return bytes.starts_with(kJpegBegins) && tail.find(kJpegEnds) == std::string_view::npos;
+}
+
 cv::Mat read_picture(const std::filesystem::path& path, int mode) {
   cv::Mat picture;
-  if (std::filesystem::is_regular_file(path)) picture = cv::imread(path.string(), mode);
+  if (std::filesystem::is_regular_file(path)) {
+    const std::vector<char> bytes = bytes_of(path);
+    if (is_cut_short({bytes.data(), bytes.size()})) {
+      throw std::runtime_error(path.string() + ": found " + std::to_string(bytes.size()) +
+                               " bytes of a picture that is cut short; copy it again");
+    }
+    if (!bytes.empty()) picture = cv::imdecode(bytes, mode);
+  }
   if (picture.empty()) {
     throw std::runtime_error(path.string() +
                              ": not a readable picture; expected PNG, JPEG or the like, or a .raw "

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -158,6 +159,24 @@ TEST(CalibrateLines, RefusesAnImageOfAnotherSizeAndWritesNothing) {
                    "a.raw: found 1000 bytes, expected 614400");
   EXPECT_FALSE(fs::exists(out));
   EXPECT_FALSE(fs::exists(report));
+}
+
+TEST(CalibrateLines, SaysInOneLineThatAPictureIsCutShort) {
+  std::ifstream file(source_path("docs/pictures/station.png"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  const TempDirectory folder;
+  const fs::path image = folder.write("a.png", whole.substr(0, whole.size() / 2));
+
+  expect_bad_input(run({"lines",
+                        "--base",
+                        config("cameras/sim-640"),
+                        "--field",
+                        config("fields/msl-2024"),
+                        "--out",
+                        folder.path() / "out",
+                        image}),
+                   "bytes of a picture that is cut short; copy it again");
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
 TEST(CalibrateRings, RefusesRingsOutOfOrderOrTooFewOfThem) {
