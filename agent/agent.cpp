@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "agent/drift_complaint.hpp"
 #include "agent/picture.hpp"
 #include "bus/clock.hpp"
 #include "process/identity_guard.hpp"
@@ -42,16 +42,6 @@ const char* to_text(vision::FrameReject reason) {
       return "frames.truncated";
   }
   return "frames.rejected";
-}
-
-// What the coach station shows; at most 95 characters.
-std::string drift_complaint(const vision::DriftReport& drift) {
-  const double towards =
-      std::atan2(drift.shift_px.y(), drift.shift_px.x()) * 180.0 / std::numbers::pi;
-  const auto tenths = std::llround(10.0 * drift.drift_px);
-  return "calibration off by " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-         " px towards " + std::to_string(std::llround(towards)) +
-         " deg: check the mirror, teamsight calibrate lines";
 }
 
 const char* name_of(vision::Light light) {
