@@ -113,6 +113,20 @@ ImageView view_of(const std::vector<std::uint8_t>& bytes) {
   return {bytes, kWidth, kHeight, PixelFormat::kYuyv};
 }
 
+// What a robot with this camera sees of the scene.
+FrameObservation seen_of(const Scene& scene, const CameraParameters& camera = small_camera()) {
+  Perception perception(camera, test_field());
+  const auto bytes = frame_of(camera, test_field(), scene);
+  const auto seen = perception.see(view_of(bytes), {});
+  return seen ? **seen : FrameObservation{};
+}
+
+// Between the ball's ray and the way to its middle; rad.
+double error_of(const BallRay& ball, const Point3<Robot>& p_RB) {
+  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
+  return std::acos(ball.ray_R.direction.dot(way.normalized()));
+}
+
 TEST(Perception, RejectsWhatIsNoFrameOfItsCamera) {
   Perception perception(small_camera(), test_field());
   const std::vector<std::uint8_t> bytes(2 * kWidth * kHeight);
@@ -176,34 +190,27 @@ TEST(Perception, FindsThePostureInAPaintedFrame) {
 
 TEST(Perception, PointsItsRayAtTheBall) {
   const Point3<Robot> p_RB{1.5, -0.7, 0.11};
-  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
-  Perception perception(small_camera(), test_field());
-  const auto bytes = frame_of(small_camera(), test_field(), scene);
 
-  const auto seen = perception.see(view_of(bytes), {});
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, std::nullopt});
 
-  ASSERT_TRUE(seen);
-  ASSERT_EQ((*seen)->balls.size(), 1U);
-  const BallRay& ball = (*seen)->balls.front();
-  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
-  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.02);
-  EXPECT_NEAR(ball.angular_radius, std::asin(0.11 / way.norm()), 0.02);
+  ASSERT_EQ(seen.balls.size(), 1U);
+  const BallRay& ball = seen.balls.front();
+  EXPECT_LT(error_of(ball, p_RB), 0.02);
+  const double distance = (p_RB.vector() - ball.ray_R.origin.vector()).norm();
+  EXPECT_NEAR(ball.angular_radius, std::asin(0.11 / distance), 0.02);
   EXPECT_GT(ball.confidence, 0.5);
   EXPECT_EQ(ball.colour, BallColour::kOrange);
 }
 
 TEST(Perception, KnowsWhatMakesABallOnTheCarpetOne) {
-  const Scene scene{{-1.2, 0.8, 0.6}, Point3<Robot>{1.5, -0.7, 0.11}, std::nullopt};
-  Perception perception(small_camera(), test_field());
-  const auto bytes = frame_of(small_camera(), test_field(), scene);
+  const Point3<Robot> p_RB{1.5, -0.7, 0.11};
 
-  const auto seen = perception.see(view_of(bytes), {});
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, std::nullopt});
 
-  ASSERT_TRUE(seen);
-  ASSERT_EQ((*seen)->ball_pixels.size(), 1U);
-  EXPECT_TRUE((*seen)->ball_pixels[0].on_carpet);
+  ASSERT_EQ(seen.ball_pixels.size(), 1U);
+  EXPECT_TRUE(seen.ball_pixels[0].on_carpet);
   const auto [too_small, too_large, roundness, ground, inside_carpet, contrast] =
-      (*seen)->ball_pixels[0].traits;
+      seen.ball_pixels[0].traits;
   EXPECT_LT(too_small + too_large, 0.1);  // within a third
   EXPECT_GT(roundness, 0.7);
   EXPECT_GT(ground, 0.9);
@@ -213,35 +220,23 @@ TEST(Perception, KnowsWhatMakesABallOnTheCarpetOne) {
 
 TEST(Perception, TakesBothSidesOfAMaskedStrutForOneBall) {
   const Point3<Robot> p_RB{0.7, 0.0, 0.11};
-  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
   CameraParameters camera = small_camera();
   // Forward is up in the picture: a strut of five pixels over the middle of the ball.
   camera.mask.polygons = {{{157, 0}, {162, 0}, {162, 100}, {157, 100}}};
-  Perception perception(camera, test_field());
-  const auto bytes = frame_of(camera, test_field(), scene);
 
-  const auto seen = perception.see(view_of(bytes), {});
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, std::nullopt}, camera);
 
-  ASSERT_TRUE(seen);
-  ASSERT_EQ((*seen)->balls.size(), 1U);
-  const BallRay& ball = (*seen)->balls.front();
-  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
-  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.03);
+  ASSERT_EQ(seen.balls.size(), 1U);
+  EXPECT_LT(error_of(seen.balls.front(), p_RB), 0.03);
 }
 
 TEST(Perception, SeesABallInTheAirOverTheCarpet) {
   const Point3<Robot> p_RB{0.9, 0.3, 0.4};
-  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, std::nullopt};
-  Perception perception(small_camera(), test_field());
-  const auto bytes = frame_of(small_camera(), test_field(), scene);
 
-  const auto seen = perception.see(view_of(bytes), {});
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, std::nullopt});
 
-  ASSERT_TRUE(seen);
-  ASSERT_EQ((*seen)->balls.size(), 1U);
-  const BallRay& ball = (*seen)->balls.front();
-  const Eigen::Vector3d way = p_RB.vector() - ball.ray_R.origin.vector();
-  EXPECT_LT(std::acos(ball.ray_R.direction.dot(way.normalized())), 0.03);
+  ASSERT_EQ(seen.balls.size(), 1U);
+  EXPECT_LT(error_of(seen.balls.front(), p_RB), 0.03);
 }
 
 TEST(Perception, FindsTheFootOfAnObstacle) {
