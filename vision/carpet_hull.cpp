@@ -27,6 +27,7 @@ CarpetHull::CarpetHull(const ScanLines& lines) {
   reach_.reserve(n);
   points_.reserve(n);
   hull_.reserve(2 * n + 2);
+  edges_.reserve(2 * n + 2);
   ends_.reserve(n);
 }
 
@@ -72,22 +73,34 @@ void CarpetHull::wrap() {
   hull_.pop_back();
 }
 
+// Of the hull's edges: a place is inside if it lies to the left of all.
+void CarpetHull::find_edges() {
+  edges_.clear();
+  for (std::size_t k = 0; k < hull_.size(); ++k) {
+    const Eigen::Vector2f& start = hull_[k];
+    const Eigen::Vector2f way = hull_[(k + 1) % hull_.size()] - start;
+    edges_.emplace_back(-way.y(), way.x(), way.y() * start.x() - way.x() * start.y());
+  }
+}
+
+bool CarpetHull::is_inside(const ScanSample& sample) const {
+  if (hull_.size() < kFewestEnds) return false;
+  const Eigen::Vector3f place(sample.x, sample.y, 1.0F);
+  return std::ranges::all_of(edges_,
+                             [&](const Eigen::Vector3f& edge) { return edge.dot(place) >= 0.0F; });
+}
+
 void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
   collect(scan, lines);
   wrap();
+  find_edges();
   ends_.clear();
-  const auto is_inside = [&](const ScanSample& sample) {
-    const Eigen::Vector2f place(sample.x, sample.y);
-    for (std::size_t k = 0; k < hull_.size(); ++k) {
-      if (turn(hull_[k], hull_[(k + 1) % hull_.size()], place) < 0.0F) return false;
-    }
-    return hull_.size() >= kFewestEnds;
-  };
   for (std::size_t i = 0; i < lines.radial().size(); ++i) {
     const auto line = lines.samples(lines.radial()[i]);
     // The hull is convex and holds the line's last sample of carpet.
     const auto behind = line.begin() + static_cast<std::ptrdiff_t>(scan.carpet_end(i));
-    const auto end = std::partition_point(behind, line.end(), is_inside);
+    const auto end = std::partition_point(
+        behind, line.end(), [&](const ScanSample& sample) { return is_inside(sample); });
     ends_.push_back(static_cast<std::size_t>(end - line.begin()));
   }
 }

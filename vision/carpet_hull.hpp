@@ -27,10 +27,13 @@ class CarpetHull {
  private:
   void collect(const RadialScan& scan, const ScanLines& lines);
   void wrap();
+  void find_edges();
+  [[nodiscard]] bool is_inside(const ScanSample& sample) const;
 
   std::vector<float> reach_;             // of each line; m
   std::vector<Eigen::Vector2f> points_;  // on the floor, in R; m
   std::vector<Eigen::Vector2f> hull_;    // counter-clockwise
+  std::vector<Eigen::Vector3f> edges_;   // of the hull: positive times (x, y, 1) to their left
   std::vector<std::size_t> ends_;
 };
 

@@ -61,13 +61,14 @@ struct Summit {
 // half height again within `widest` metres of floor.
 std::optional<Summit> summit_behind(Line line, Profile profile, std::size_t i, double widest) {
   const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
-  const Eigen::Vector2d start = floor_at(line, static_cast<float>(i));
+  const auto most = static_cast<float>(widest * widest);
   Summit summit{i, i + 1};
   std::size_t& j = summit.foot;
   for (; j < profile.size() && profile[j] > 0.5F * (left + profile[summit.top]); ++j) {
     if (profile[j] > profile[summit.top]) summit.top = j;
-    const double length = (floor_at(line, static_cast<float>(j)) - start).norm();
-    if (length > widest && j - i > 4) return std::nullopt;
+    const float x = line[j].x - line[i].x;
+    const float y = line[j].y - line[i].y;
+    if (x * x + y * y > most && j - i > 4) return std::nullopt;
   }
   if (j >= profile.size() || summit.top == i) return std::nullopt;
   return summit;

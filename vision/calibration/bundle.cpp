@@ -31,12 +31,6 @@ struct State {
   std::vector<Pose<Field, Robot>> X_FR;
 };
 
-/// How the views pull at the knobs where the fit ended, postures eliminated.
-struct Pulls {
-  Eigen::MatrixXd curvature;  // of the cost, without priors
-  Eigen::MatrixXd gradients;  // a column for each view
-};
-
 /// Normal equations after the postures are eliminated, and what brings these back.
 struct Normals {
   Eigen::MatrixXd info;      // of the knobs, without priors
@@ -79,8 +73,6 @@ class Adjustment {
   [[nodiscard]] double cost(const State& state, double width) const;
   [[nodiscard]] Normals normals(const State& state, double width) const;
   [[nodiscard]] State step(const Normals& normals, double damping) const;
-  [[nodiscard]] Pulls pulls(const State& state) const;
-  [[nodiscard]] Eigen::MatrixXd covariance(const State& state) const;
   void measure_scale(const State& state);
   [[nodiscard]] double correlation(const State& state) const;
   /// One step with growing damping until it leads down. @return how far it went, in sigma of the
@@ -169,57 +161,6 @@ Normals Adjustment::normals(const State& state, double width) const {
   return result;
 }
 
-Pulls Adjustment::pulls(const State& state) const {
-  const Eigen::Index size = prior_info_.size();
-  const auto views = static_cast<Eigen::Index>(views_.size());
-  Pulls result{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, views)};
-  for (Eigen::Index v = 0; v < views; ++v) {
-    const auto view = static_cast<std::size_t>(v);
-    Eigen::Matrix3d posture = Eigen::Matrix3d::Identity();  // as in `normals`
-    Eigen::Vector3d posture_gradient = Eigen::Vector3d::Zero();
-    Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(size, 3);
-    for (const FloorLook& seen : looks_[view]) {
-      const FloorMiss miss = miss_of(map_, state.X_FR[view], seen, rules_.sigma_px);
-      const double u2 = std::pow(miss.distance / width_of(miss, 0.0, scale_), 2);
-      const double info = 1.0 / (miss.var * scale_ * scale_);
-      const double slope = info * miss.distance / std::pow(1.0 + u2, 2);
-      const double curvature = info * (1.0 - 3.0 * u2) / std::pow(1.0 + u2, 3);
-      posture += curvature * miss.by_posture * miss.by_posture.transpose();
-      posture_gradient += slope * miss.by_posture;
-      cross += curvature * miss.by_knob * miss.by_posture.transpose();
-      result.curvature += curvature * miss.by_knob * miss.by_knob.transpose();
-      result.gradients.col(v) += slope * miss.by_knob;
-    }
-    const Eigen::MatrixXd share = cross * posture.inverse();
-    result.curvature -= share * cross.transpose();
-    result.gradients.col(v) -= share * posture_gradient;
-  }
-  return result;
-}
-
-// The scatter of the views' gradients, between two inverse curvatures. A few views tell it badly:
-// what the pixels' own scatter promises counts as so many views as there are knobs.
-Eigen::MatrixXd Adjustment::covariance(const State& state) const {
-  const Eigen::MatrixXd info = normals(state, 0.0).info;
-  const Pulls all = pulls(state);
-  const auto count = static_cast<double>(views_.size());
-  const auto knobs = static_cast<double>(prior_info_.size());
-  const Eigen::MatrixXd off = all.gradients.colwise() - all.gradients.rowwise().mean();
-  const Eigen::MatrixXd scatter = off * off.transpose() * (count / std::max(1.0, count - 1.0));
-  Eigen::MatrixXd filling = (count * scatter + knobs * correlation(state) * info) / (count + knobs);
-  filling.diagonal() += prior_info_;
-  Eigen::MatrixXd curvature = all.curvature;
-  curvature.diagonal() += prior_info_;
-  Eigen::LLT<Eigen::MatrixXd> bread(curvature);
-  if (bread.info() != Eigen::Success) {  // bent by outliers; the weights alone are not
-    curvature = info;
-    curvature.diagonal() += prior_info_;
-    bread.compute(curvature);
-  }
-  const Eigen::MatrixXd half = bread.solve(filling);
-  return bread.solve(half.transpose());
-}
-
 State Adjustment::step(const Normals& normals, double damping) const {
   Eigen::MatrixXd info = normals.info;
   info.diagonal() += (1.0 + damping) * prior_info_;
@@ -306,7 +247,8 @@ Bundle Adjustment::run() {
     measure_scale(state_);
     bundle.scale = scale_;
     bundle.cost = cost(state_, 0.0);
-    bundle.cov = covariance(state_);
+    bundle.correlation = correlation(state_);
+    bundle.info = normals(state_, 0.0).info / bundle.correlation;
   }
   bundle.views = std::move(views_);
   return bundle;

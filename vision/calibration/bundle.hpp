@@ -47,12 +47,11 @@ struct BundleStart {
 struct Bundle {
   CameraParameters camera;
   std::vector<CalibrationView> views;
-  Eigen::VectorXd turn;  ///< of the knobs, from the camera it started with
-  /// Of the knobs, priors counted, postures marginalised; empty where the camera is at the edge of
-  /// what can be.
-  Eigen::MatrixXd cov;
-  double scale{1.0};  ///< true sigma of the pixels over the claimed one
-  double cost{0.0};   ///< robust, at the end; ranks starts of the same views
+  Eigen::VectorXd turn;     ///< of the knobs, from the camera it started with
+  Eigen::MatrixXd info;     ///< of the knobs from the views alone, postures marginalised
+  double scale{1.0};        ///< true sigma of the pixels over the claimed one
+  double correlation{1.0};  ///< how many neighbouring pixels count as one
+  double cost{0.0};         ///< robust, at the end; ranks starts of the same views
   bool converged{false};
 };
 
@@ -61,10 +60,6 @@ struct Bundle {
 /// Levenberg-Marquardt on exact distances to the nearest paint, each weighted with what one pixel
 /// means there; Geman-McClure weights annealed from 0.3 m; the postures are eliminated view by view
 /// (Schur complement) [Triggs00]. The priors of the knobs hold what the field cannot see.
-///
-/// The covariance is the robust one of an M-estimator [Huber67] with the views as clusters: the
-/// pixels of a view share what is wrong there, so that how far the views pull apart tells more than
-/// the scatter of the pixels.
 ///
 /// @param camera  to start from; the priors are centred on it
 /// @pre at least one view and one knob

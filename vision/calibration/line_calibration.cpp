@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "geometry/expect.hpp"
 #include "vision/calibration/view_search.hpp"
 
@@ -136,7 +138,7 @@ std::optional<Bundle> Calibrator::first_round(const std::vector<Start>& starts) 
   for (const Start& start : starts) {
     for (BundleStart& guess : guesses_of(start)) {
       Bundle bundle = adjust(map_, camera_, priors_, std::move(guess), rules_.bundle);
-      if (bundle.cov.size() == 0) continue;
+      if (bundle.info.size() == 0) continue;
       if (!best || bundle.cost < best->cost) best = std::move(bundle);
     }
   }
@@ -217,7 +219,13 @@ double median_px(const LineCalibration& result) {
 }
 
 void Calibrator::judge(const Bundle& bundle, LineCalibration& result) const {
-  const Eigen::MatrixXd& cov = bundle.cov;
+  Eigen::MatrixXd info = bundle.info;
+  for (std::size_t k = 0; k < priors_.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    info(i, i) += 1.0 / (priors_[k].sigma * priors_[k].sigma);
+  }
+  const Eigen::MatrixXd cov =
+      info.ldlt().solve(Eigen::MatrixXd::Identity(info.rows(), info.cols()));
   for (std::size_t k = 0; k < priors_.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.knobs.push_back({priors_[k], bundle.turn[i], std::sqrt(cov(i, i))});
@@ -257,7 +265,7 @@ LineCalibration Calibrator::run(const LineSource& lines) {
   }
   Bundle bundle = second_round(*first);
   if (lines) bundle = look_again(lines, std::move(bundle));
-  if (index_.empty() || bundle.cov.size() == 0) {
+  if (index_.empty() || bundle.info.size() == 0) {
     result.refusal = LineRefusal::kNoPosture;
     return result;
   }
