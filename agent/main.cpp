@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <poll.h>
@@ -155,8 +156,12 @@ void refuse_second(AgentBus& topics, RobotId robot, const bus::Loop& loop) {
   }
   if (!rival.has_value()) return;
   const std::string words = process::words_on_rival(robot, *rival);
-  topics.diagnostics.write(
-      process::last_report("agent/" + std::to_string(robot), robot, words, bus::host_now()));
+  const bus::Diagnostics report =
+      process::last_report("agent/" + std::to_string(robot), robot, words, bus::host_now());
+  for (int i = 0; i < process::kLastReports && loop.keeps_running(); ++i) {
+    topics.diagnostics.write(report);
+    std::this_thread::sleep_for(process::kBetweenLastReports);
+  }
   throw std::runtime_error(words);
 }
 

@@ -1,6 +1,7 @@
 // process/identity_guard.hpp: two processes must not speak under one robot's id.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -25,6 +26,10 @@ enum class Rivalry : std::uint8_t { kNone, kStay, kYield };
 
 /// The line for whoever has to mend it: who the other one is, and what to do. Fits a report.
 [[nodiscard]] std::string words_on_rival(RobotId robot, const bus::Computer& of_the_other);
+
+/// A reader that was only just discovered may miss one: so often it is said, and so far apart.
+inline constexpr int kLastReports = 3;
+inline constexpr Duration kBetweenLastReports = std::chrono::milliseconds(300);
 
 /// What such a process says before it ends, for the coach; as a process of its own name, so that
 /// it does not take turns with the other one's reports.

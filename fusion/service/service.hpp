@@ -92,6 +92,8 @@ class Service {
   bool has_news_{false};
   bus::Loop* loop_{nullptr};
   bool has_yielded_{false};
+  std::optional<bus::Diagnostics> last_report_;  // of a second process
+  int last_reports_{0};                          // how often it was said
   std::string rival_;
   HostTime rival_heard_{};
 };
