@@ -2,13 +2,15 @@
 #include "agent/drift_complaint.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace teamsight::agent {
 
 namespace {
 
-constexpr double kNotable = 0.5;  // of the whole error
+constexpr double kNotable = 0.5;        // of the whole error
+constexpr std::size_t kMostWords = 95;  // of a report's message
 
 }  // namespace
 
@@ -23,8 +25,11 @@ std::string drift_complaint(const vision::DriftReport& drift) {
     what += "towards " + std::to_string(std::llround(towards)) + " deg";
   }
   const auto tenths = std::llround(10.0 * drift.drift_px);
-  return "picture off by " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-         " px (" + what + "): check the mirror, teamsight calibrate lines";
+  std::string words = "picture off by " + std::to_string(tenths / 10) + "." +
+                      std::to_string(tenths % 10) + " px (" + what +
+                      "): check the mirror, teamsight calibrate lines";
+  if (words.size() > kMostWords) words.resize(kMostWords);
+  return words;
 }
 
 }  // namespace teamsight::agent

@@ -2,6 +2,8 @@
 #include "tools/image_file.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -37,17 +39,29 @@ std::vector<char> bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Whether the bytes begin as PNG or JPEG and do not end so: OpenCV fills up what is missing of a
-// JPEG, and its libraries complain for themselves.
+// Where the first scan of a JPEG begins, after its headers, which may hold a whole thumbnail.
+std::size_t scan_of_jpeg(std::string_view bytes) {
+  constexpr char kScan = '\xDA';
+  const auto byte = [&](std::size_t at) {
+    return std::size_t{static_cast<std::uint8_t>(bytes[at])};
+  };
+  std::size_t at = 2;
+  while (at + 3 < bytes.size() && bytes[at + 1] != kScan) {
+    at += 2 + 256 * byte(at + 2) + byte(at + 3);
+  }
+  return std::min(at, bytes.size());
+}
+
+// Whether the bytes begin as PNG or JPEG and have not the end of one: OpenCV fills up what is
+// missing of a JPEG, and its libraries complain for themselves. What writers append does no harm.
 bool is_cut_short(std::string_view bytes) {
   constexpr std::string_view kPngBegins = "\x89PNG";
-  constexpr std::string_view kPngEnds = "IEND";
+  constexpr std::string_view kPngEnds = "IEND\xAE\x42\x60\x82";
   constexpr std::string_view kJpegBegins = "\xFF\xD8\xFF";
   constexpr std::string_view kJpegEnds = "\xFF\xD9";
-  constexpr std::size_t kTail = 256;  // some writers append a little
-  const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTail));
-  if (bytes.starts_with(kPngBegins)) return tail.find(kPngEnds) == std::string_view::npos;
-  return bytes.starts_with(kJpegBegins) && tail.find(kJpegEnds) == std::string_view::npos;
+  if (bytes.starts_with(kPngBegins)) return bytes.find(kPngEnds) == std::string_view::npos;
+  return bytes.starts_with(kJpegBegins) &&
+         bytes.find(kJpegEnds, scan_of_jpeg(bytes)) == std::string_view::npos;
 }
 
 cv::Mat read_picture(const std::filesystem::path& path, int mode) {

@@ -24,6 +24,7 @@ inline constexpr std::array<std::string_view, 6> kBallTraitNames{
 
 inline constexpr std::size_t kBallTraits = kBallTraitNames.size();
 inline constexpr std::size_t kInsideCarpet = 4;
+static_assert(kBallTraitNames[kInsideCarpet] == "inside_carpet");
 using BallTraits = std::array<double, kBallTraits>;
 
 /// One frame as the traits need it.

@@ -61,14 +61,14 @@ struct Summit {
 // half height again within `widest` metres of floor.
 std::optional<Summit> summit_behind(Line line, Profile profile, std::size_t i, double widest) {
   const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
-  const auto most = static_cast<float>(widest * widest);
+  const auto widest_square = static_cast<float>(widest * widest);
   Summit summit{i, i + 1};
   std::size_t& j = summit.foot;
   for (; j < profile.size() && profile[j] > 0.5F * (left + profile[summit.top]); ++j) {
     if (profile[j] > profile[summit.top]) summit.top = j;
     const float x = line[j].x - line[i].x;
     const float y = line[j].y - line[i].y;
-    if (x * x + y * y > most && j - i > 4) return std::nullopt;
+    if (x * x + y * y > widest_square && j - i > 4) return std::nullopt;
   }
   if (j >= profile.size() || summit.top == i) return std::nullopt;
   return summit;

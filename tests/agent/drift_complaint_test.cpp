@@ -24,5 +24,10 @@ TEST(DriftComplaint, NamesBothInTheRoomThereIs) {
   EXPECT_NE(text.find("(smaller, towards -180 deg)"), std::string::npos) << text;
 }
 
+TEST(DriftComplaint, NeverOutgrowsAReport) {
+  EXPECT_EQ(drift_complaint({.drift_px = 1e6, .size_px = -7e5, .shift_px = {-1e6, -1.0}}).size(),
+            95U);
+}
+
 }  // namespace
 }  // namespace teamsight::agent

@@ -24,7 +24,7 @@ struct Twin {
                                  "echo",
                                  "Diagnostics",
                                  "--seconds",
-                                 "5",
+                                 "3",
                                  "--team",
                                  stage.team.file("teams/bench.textproto").string()})),
         agent(start(stage,

@@ -161,22 +161,37 @@ TEST(CalibrateLines, RefusesAnImageOfAnotherSizeAndWritesNothing) {
   EXPECT_FALSE(fs::exists(report));
 }
 
+Outcome calibrate_from(const std::string& picture, const std::string& name) {
+  const TempDirectory folder;
+  const fs::path out = folder.path() / "out";
+  Outcome outcome = run({"lines",
+                         "--base",
+                         config("cameras/sim-640"),
+                         "--field",
+                         config("fields/msl-2024"),
+                         "--out",
+                         out,
+                         folder.write(name, picture)});
+  EXPECT_FALSE(fs::exists(out));
+  return outcome;
+}
+
 TEST(CalibrateLines, SaysInOneLineThatAPictureIsCutShort) {
   std::ifstream file(source_path("docs/pictures/station.png"), std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
-  const TempDirectory folder;
-  const fs::path image = folder.write("a.png", whole.substr(0, whole.size() / 2));
 
-  expect_bad_input(run({"lines",
-                        "--base",
-                        config("cameras/sim-640"),
-                        "--field",
-                        config("fields/msl-2024"),
-                        "--out",
-                        folder.path() / "out",
-                        image}),
+  expect_bad_input(calibrate_from(whole.substr(0, whole.size() / 2), "a.png"),
                    "bytes of a picture that is cut short; copy it again");
-  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST(CalibrateLines, TellsTheEndOfAPictureFromThatOfItsThumbnailAndFromWhatFollows) {
+  const std::string thumbnail = "\xFF\xD8\xFF\xDA\xFF\xD9";
+  const std::string header = std::string("\xFF\xE1\x00\x08", 4) + thumbnail;
+  const std::string cut = "\xFF\xD8" + header + std::string("\xFF\xDA\x00\x02scan", 8);
+
+  expect_bad_input(calibrate_from(cut, "a.jpg"), "picture that is cut short");
+  EXPECT_THAT(calibrate_from(cut + "\xFF\xD9" + std::string(5000, 'x'), "a.jpg").err,
+              testing::Not(HasSubstr("cut short")));
 }
 
 TEST(CalibrateRings, RefusesRingsOutOfOrderOrTooFewOfThem) {
