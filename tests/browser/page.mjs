@@ -6,6 +6,8 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { checkContrast, checkLayout, checkLetters, checkWidest } from "./eyes.mjs";
+import { explanation, walkEverywhere } from "./hands.mjs";
 
 const { chromium } = createRequire(join(process.env.PAGE_DIR, "package.json"))("playwright-core");
 const [scenario, url, folder] = process.argv.slice(2);
@@ -22,29 +24,10 @@ const positionOf = (page, robot) =>
 const waitForMark = (page, text) =>
   page.waitForFunction((wanted) => document.getElementById("mark").textContent === wanted, text, BOUND);
 
-/** Everything on one screen: nothing to scroll, no panel outside or without size. */
-async function checkLayout(page) {
-  const faults = await page.evaluate(() => {
-    const found = [];
-    const root = document.documentElement;
-    if (root.scrollHeight > innerHeight || root.scrollWidth > innerWidth) found.push("the page scrolls");
-    for (const selector of [".bar", ".field", ".ball", ".processes", ".log", ".timeline", ".robots"]) {
-      const box = document.querySelector(selector).getBoundingClientRect();
-      if (box.width < 50 || box.height < 20) found.push(`${selector} has no size`);
-      if (box.right > innerWidth + 1 || box.bottom > innerHeight + 1) found.push(`${selector} sticks out`);
-    }
-    for (const cell of document.querySelectorAll("tbody td, th, .lamp, .lead b, .lead small, .brand-team, #game")) {
-      if (cell.scrollWidth > cell.clientWidth + 1) found.push(`"${cell.textContent}" does not fit`);
-    }
-    return found;
-  });
-  expect(faults.length === 0, faults.join("; "));
-}
-
 /** Where the parts of the page lie; these may not move, whatever is in them. */
 const placesOf = (page) =>
   page.evaluate(() => {
-    const parts = [".brand", "#score", ".game-words", "#box", "#air", "#security", "#recorder", ".lead", ".mark", ".field", ".tabs", "#ball .figures", "#timeline", "#scrub", "#robots", "th:nth-child(6)", "th:last-child"];
+    const parts = [".brand", "#score", ".game-words", "#box", "#air", "#security", "#recorder", ".lead", ".mark", ".field", ".tabs", "#ball .figures", "#timeline", "#scrub", "#robots", "th:nth-child(4)", "th:last-child"];
     return parts.map((part) => {
       const { x, y, width, height } = document.querySelector(part).getBoundingClientRect();
       return `${part} at ${[x, y, width, height].map(Math.round).join(" ")}`;
@@ -78,8 +61,8 @@ const scenarios = {
     const log = await page.textContent("#log");
     const numbers = await page.$$eval(".obstacle .label", (labels) => labels.map((label) => label.textContent).sort().join());
     expect(numbers === "1,2,3,4,5", `the opponents have the numbers ${numbers}`);
-    await page.click('tbody tr[data-robot="2"] td:nth-child(6)');
-    await page.waitForFunction(() => document.querySelector(".action.told")?.textContent.includes("line points fit"), undefined, BOUND);
+    await page.click('tbody tr[data-robot="2"] td:nth-child(4)');
+    await page.waitForFunction(() => document.getElementById("why").textContent.includes("line points fit"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-told.png") });
     await page.keyboard.press("1");
     expect(log.includes("Robot 2 joined") && log.includes("leads"), `the log says: ${log}`);
@@ -87,7 +70,14 @@ const scenarios = {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((wanted) => innerWidth === wanted, width, BOUND);
       await checkLayout(page);
+      await checkWidest(page);
       await page.screenshot({ path: join(folder, `page-${width}x${height}.png`) });
+    }
+    say({ letters_px: Object.fromEntries(await checkLetters(page, 22)) });
+    for (const theme of ["dark", "light"]) {
+      await page.waitForFunction((wanted) => document.documentElement.dataset.theme === wanted, theme, BOUND);
+      await checkContrast(page);
+      await page.keyboard.press("d");
     }
   },
 
@@ -196,6 +186,33 @@ scenarios.hints = async (page) => {
   await page.mouse.click(ball.x, ball.y);
   await page.waitForSelector(".action.no-answer", BOUND);
   say({ not_answered: await page.textContent(".action.no-answer") });
+};
+
+/** Nothing but keys: every explanation is reached, and shown. */
+scenarios.types = async (page) => {
+  await page.waitForSelector('.robot.quarantined[data-robot="4"]', BOUND);
+  await page.waitForSelector(".process", BOUND);
+  const { missed, hidden, reached } = await walkEverywhere(page);
+  expect(missed.length === 0, `no key leads to ${missed.join("; ")}`);
+  expect(hidden.length === 0, `the focus is not seen on ${hidden.join("; ")}`);
+  say({ reached });
+  await page.focus('#robots [tabindex="0"]');
+  await page.keyboard.press("Home");
+  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp");
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowDown");
+  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => document.getElementById("why").textContent.startsWith("In quarantine: what it sees lies aside"), undefined, BOUND);
+  expect((await explanation(page)) !== "", "the explanation is hidden");
+  await page.screenshot({ path: join(folder, "page-explained.png") });
+  await page.keyboard.press("Escape");
+  expect((await explanation(page)) === "", "Escape did not take the explanation away");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector("#robot h2").textContent === "Robot 4" && !document.getElementById("robot").hidden, undefined, BOUND);
+  await page.keyboard.press("?");
+  await page.waitForSelector("#keys-dialog[open]", BOUND);
+  await page.screenshot({ path: join(folder, "page-keys.png") });
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("#keys-dialog:not([open])", { ...BOUND, state: "attached" });
 };
 
 const logSays = (page, text) => page.waitForFunction((wanted) => document.getElementById("log").textContent.includes(wanted), text, BOUND);

@@ -106,9 +106,19 @@ TEST_F(Page, ShowsTheTeamMovingOnOneScreen) {
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
   EXPECT_THAT(browser.out(), HasSubstr("moved_from"));
+  EXPECT_THAT(browser.out(), HasSubstr("letters_px"));
   for (const char* name : {"page-1280x800.png", "page-1920x1080.png"}) {
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(TEAMSIGHT_ARTEFACTS) / name));
   }
+}
+
+TEST_F(Page, ExplainsEverythingByKeyboardAlone) {
+  start_team();
+
+  ChildProcess browser = open("types");
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+  EXPECT_THAT(browser.out(), HasSubstr("reached"));
 }
 
 TEST_F(Page, FlipsTheFieldByKeyAndButton) {

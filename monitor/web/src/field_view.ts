@@ -12,10 +12,10 @@ import { WithoutLayer } from "./without_layer";
 /** An arrow shows where something will be after so many seconds. */
 const ARROW_S = 0.7;
 const SLOWEST_ARROW_MPS = 0.15;
-/** Symbols never get smaller than this on the screen, so that they can be read at 3 m. */
-const ROBOT_PX = 13;
-const BALL_PX = 7;
-const OBSTACLE_PX = 10;
+/** Symbols never get smaller than this on the screen, so that they can be read at 3 m; in rem. */
+const ROBOT_REM = 0.75;
+const BALL_REM = 0.36;
+const OBSTACLE_REM = 0.6;
 const ROBOT_M = 0.25;
 const BALL_M = 0.11;
 const GOAL_COLOURS = ["none", "blue", "yellow", "white"];
@@ -58,6 +58,7 @@ export class FieldView {
   private view = new View(false);
   private field: MonitorField | undefined;
   private unitsPerPixel = 1;
+  private unitsPerRem = 16;
 
   constructor(parent: HTMLElement) {
     this.root = svg("svg", { class: "pitch", preserveAspectRatio: "xMidYMid meet" }, parent);
@@ -129,7 +130,7 @@ export class FieldView {
     this.layers.ghost.replaceChildren();
     if (!from || !to) return;
     const [a, b] = [this.view.place(from.x, from.y), this.view.place(to.x, to.y)];
-    svg("circle", { class: "ghost", cx: a.x, cy: a.y, r: Math.max(ROBOT_M * UNITS, ROBOT_PX * this.unitsPerPixel) }, this.layers.ghost);
+    svg("circle", { class: "ghost", cx: a.x, cy: a.y, r: Math.max(ROBOT_M * UNITS, ROBOT_REM * this.unitsPerRem) }, this.layers.ghost);
     svg("line", { class: "ghost", x1: a.x, y1: a.y, x2: b.x, y2: b.y, "stroke-width": 3 * this.unitsPerPixel, "marker-end": "url(#head)" }, this.layers.ghost);
   }
 
@@ -151,6 +152,7 @@ export class FieldView {
     const { width, height } = this.root.getBoundingClientRect();
     if (!box || box.width === 0 || width === 0 || height === 0) return;
     this.unitsPerPixel = Math.max(box.width / width, box.height / height);
+    this.unitsPerRem = this.unitsPerPixel * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
   }
 
   private line(line: MonitorField_Line, className: string, width: number): void {
@@ -204,7 +206,7 @@ export class FieldView {
   }
 
   private drawRobots(marks: RobotMark[]): void {
-    const size = Math.max(ROBOT_M * UNITS, ROBOT_PX * this.unitsPerPixel);
+    const size = Math.max(ROBOT_M * UNITS, ROBOT_REM * this.unitsPerRem);
     for (const mark of marks) {
       const symbol = this.robots.get(String(mark.id));
       this.place(symbol, mark.x, mark.y, mark.ellipse);
@@ -219,7 +221,7 @@ export class FieldView {
 
   /** @param hinted  the one that the operator means; 0: none */
   private drawBalls(marks: BallMark[], hinted: number): void {
-    const size = Math.max(BALL_M * UNITS, BALL_PX * this.unitsPerPixel);
+    const size = Math.max(BALL_M * UNITS, BALL_REM * this.unitsPerRem);
     marks.forEach((mark, index) => {
       const symbol = this.balls.get(String(mark.id));
       this.place(symbol, mark.x, mark.y, mark.ellipse, { x: mark.vx, y: mark.vy });
@@ -234,7 +236,7 @@ export class FieldView {
     this.numbers.show(marks.map((mark) => mark.id), nowMs);
     for (const mark of marks) {
       const symbol = this.obstacles.get(String(mark.id));
-      const size = Math.max(mark.radius * UNITS, OBSTACLE_PX * this.unitsPerPixel);
+      const size = Math.max(mark.radius * UNITS, OBSTACLE_REM * this.unitsPerRem);
       this.place(symbol, mark.x, mark.y, mark.ellipse, { x: mark.vx, y: mark.vy });
       set(symbol.root, { class: `obstacle ${mark.freshness}`, "data-track": mark.id, opacity: 0.3 + 0.7 * mark.existence });
       set(symbol.body, { x: -size, y: -size, width: 2 * size, height: 2 * size, rx: size * 0.45 });
@@ -267,9 +269,9 @@ export class FieldView {
       set(this.truths.get(key), { cx: at.x, cy: at.y, r: radius, "stroke-width": 1.5 * this.unitsPerPixel });
     };
     for (const robot of truth?.robots ?? []) {
-      ring(`robot ${robot.robotId}`, robot.xM, robot.yM, Math.max(ROBOT_M * UNITS, ROBOT_PX * this.unitsPerPixel) * 1.3);
+      ring(`robot ${robot.robotId}`, robot.xM, robot.yM, Math.max(ROBOT_M * UNITS, ROBOT_REM * this.unitsPerRem) * 1.3);
     }
-    if (truth?.ballPM) ring("ball", truth.ballPM.x, truth.ballPM.y, Math.max(BALL_M * UNITS, BALL_PX * this.unitsPerPixel) * 1.6);
+    if (truth?.ballPM) ring("ball", truth.ballPM.x, truth.ballPM.y, Math.max(BALL_M * UNITS, BALL_REM * this.unitsPerRem) * 1.6);
     this.truths.keepOnly(keys);
   }
 }

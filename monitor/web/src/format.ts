@@ -45,6 +45,11 @@ export function metres(value: number): string {
   return `${value.toFixed(2)} m`;
 }
 
+/** A coordinate to a tenth, with a minus as wide as a plus. */
+export function signed(value: number): string {
+  return value.toFixed(1).replace("-", "\u2212");
+}
+
 export function count(value: number | bigint): string {
   const n = Number(value);
   if (n < 10_000) return n.toString();

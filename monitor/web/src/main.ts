@@ -10,15 +10,17 @@ import { type MonitorUpdate, MonitorUpdateSchema } from "./generated/monitor_pb"
 import { BallHint } from "./ball_hint";
 import { connect, liveAddress } from "./connection";
 import { byId, set, write } from "./dom";
+import { Explainer } from "./explainer";
 import { FieldView } from "./field_view";
 import { History, LIVE_BOUNDS, momentOf, RECORDING_BOUNDS, updatesIn } from "./history";
-import { bindKeys, type Commands } from "./keys";
+import { bindKeys, type Commands, makeKeyList } from "./keys";
 import { Orders, takeToken } from "./orders";
 import { Player } from "./player";
 import { Plots } from "./plots";
 import { drawGame, makeRefereeButtons } from "./referee_view";
 import { Relocate } from "./relocate";
 import { RobotCard } from "./robot_card";
+import { Roving } from "./roving";
 import { markOf, sceneOf } from "./scene";
 import { BallCard, drawLead, EventLog, ProcessCard } from "./side_view";
 import { TableView } from "./table_view";
@@ -26,6 +28,13 @@ import { TimelineView } from "./timeline_view";
 
 /** Ages go on when nothing arrives, so the page is drawn now and then without news. */
 const IDLE_DRAW_MS = 100;
+
+const MARK_WORDS: Record<string, string> = {
+  LIVE: "This is now",
+  "NO DATA": "What is shown is old: the field says why",
+  PAUSED: "A moment of the past, standing; l goes back to live",
+  REPLAY: "The past, running; l goes back to live",
+};
 
 const field = new FieldView(byId("field"));
 const ball = new BallCard(byId("ball"));
@@ -46,16 +55,17 @@ const orders = new Orders(byId("actions"), (bytes) => send(bytes), takeToken(loc
 const relocate = new Relocate(field, orders);
 const ballHint = new BallHint(field, orders);
 const robotCard = new RobotCard(byId("robot"), orders, startRelocating);
-const table = new TableView(byId("robots"), (robot) => {
+const table = new TableView(byId("robots"), (robot) => robotCard.select(robot), (robot) => {
   robotCard.select(robot);
   showTab("robot");
 });
-// What a tooltip says, said to who cannot hover: click what has it.
+const bar = new Roving(byId("bar"), "", "[data-why]");
+const explainer = new Explainer(document.body);
+makeKeyList(byId("keys-dialog"));
+// Who clicks goes on with the page's keys, in which a button has no part.
 document.addEventListener("click", (event) => {
-  const part = event.target instanceof Element ? event.target.closest(".lamp, td, .processes *") : null;
-  const words = part?.closest("[title]") ?? part?.querySelector("[title]");
-  const title = words?.getAttribute("title");
-  if (title) orders.tell(title);
+  const button = event.detail > 0 && event.target instanceof Element ? event.target.closest("button") : null;
+  button?.blur();
 });
 const plots = new Plots(byId("plots"));
 makeRefereeButtons(byId("referee"), orders);
@@ -81,7 +91,7 @@ function drawMark(update: MonitorUpdate | undefined, since: number): void {
   const state = player.mode;
   const mark = state === "live" ? markOf(update, connected, since) : { live: true, reason: update?.silence ?? "" };
   const word = state === "live" ? (mark.live ? "LIVE" : "NO DATA") : state.toUpperCase();
-  set(byId("mark"), { "data-state": state === "live" && !mark.live ? "none" : state });
+  set(byId("mark"), { "data-state": state === "live" && !mark.live ? "none" : state, "data-why": MARK_WORDS[word] ?? "" });
   write(byId("mark"), word);
   write(byId("silence"), mark.reason);
   set(document.body, { class: state === "live" && mark.live ? "live" : `not-live ${state}` });
@@ -102,6 +112,8 @@ function draw(): void {
   processes.draw(update);
   drawLead(update, since);
   drawGame(update);
+  bar.keepStop();
+  explainer.draw();
   log.draw(player.mode === "live" ? undefined : update.stampNs);
   robotCard.draw(update, player.mode === "live", now);
   plots.take(update);
@@ -156,6 +168,12 @@ function putToolsAway(): void {
   ballHint.stop();
 }
 
+function showKeys(): void {
+  const dialog = byId("keys-dialog") as HTMLDialogElement;
+  if (dialog.open) dialog.close();
+  else dialog.showModal();
+}
+
 function bookmark(): void {
   orders.give({ case: "bookmark", value: { text: "" } });
 }
@@ -170,6 +188,7 @@ const commands: Commands = {
   hint: startHinting,
   giveUp: putToolsAway,
   choose: (step) => robotCard.select(Math.min(Math.max(robotCard.robot + step, 1), 16)),
+  showKeys,
   player: () => player,
   changed: planDrawing,
 };
@@ -178,6 +197,7 @@ byId("flip").addEventListener("click", flip);
 byId("raw").addEventListener("click", cycleRaw);
 byId("ball-hint").addEventListener("click", startHinting);
 byId("theme").addEventListener("click", toggleTheme);
+byId("show-keys").addEventListener("click", showKeys);
 byId("tabs").addEventListener("click", (event) => {
   const button = (event.target as Element).closest("button");
   if (button?.dataset["tab"]) showTab(button.dataset["tab"]);

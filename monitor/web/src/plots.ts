@@ -84,7 +84,7 @@ export class Plots {
     this.plots.push(plot);
     const remove = html("button", "plot-close", holder, "×");
     remove.type = "button";
-    remove.title = "Remove";
+    remove.setAttribute("aria-label", `Remove ${path}`);
     remove.addEventListener("click", () => {
       this.plots.splice(this.plots.indexOf(plot), 1);
       chart.destroy();

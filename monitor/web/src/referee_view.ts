@@ -5,7 +5,7 @@ import { byId, html, set, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
 
-const PHASES = ["", "before the game", "first half", "half time", "second half", "over", "shoot-out"];
+const PHASES = ["", "before the game", "1st half", "half time", "2nd half", "over", "shoot-out"];
 const PIECES = ["", "kick-off", "free kick", "goal kick", "throw-in", "corner", "penalty", "drop ball", "parking"];
 
 /** What is played now, in words. */
@@ -52,10 +52,16 @@ function speakers(update: MonitorUpdate): Diagnostics[] {
   return [...agents, ...update.processes];
 }
 
+/** The referee box, and how often it hears what the world is like. */
+export function boxText(report: RefereeReport | undefined): string {
+  if (!report?.hasBox) return "no box";
+  return report.state?.boxConnected ? `box ${report.worldStateHz.toFixed(0)} Hz` : "box away";
+}
+
 export function recorderText(report: RecorderReport | undefined): string {
   if (!report) return "not recording";
   if (report.problem) return "disk refuses";
-  return `rec ${(Number(report.bytes) / 1e6).toFixed(0)} MB${report.dropped > 0n ? ` · ${report.dropped} lost` : ""}`;
+  return report.dropped > 0n ? `rec, ${format.count(report.dropped)} lost` : `rec ${(Number(report.bytes) / 1e6).toFixed(0)} MB`;
 }
 
 export function drawGame(update: MonitorUpdate): void {
@@ -66,19 +72,19 @@ export function drawGame(update: MonitorUpdate): void {
   set(byId("game"), { class: state?.running ? "running" : "" });
   const course = courseText(report);
   write(byId("course"), course);
-  set(byId("course"), { title: course });
-  const lamp = (id: string, tone: string, text: string, title: string): void => {
+  set(byId("course"), { "data-why": `What the referee said last: ${course}` });
+  const lamp = (id: string, tone: string, text: string, why: string): void => {
     const root = byId(id);
-    set(root, { class: `lamp ${tone}`, title });
+    set(root, { class: `lamp ${id === "box" || id === "air" ? "decides " : ""}${tone}`, "data-why": why });
     write(root, text);
   };
   const hz = report?.worldStateHz ?? 0;
   const connected = state?.boxConnected ?? false;
-  lamp("box", !report?.hasBox ? "off" : !connected ? "bad" : hz >= 10 ? "good" : "warn", connected ? `box ${hz.toFixed(0)} Hz` : "box", "World state to the referee box: 10 Hz or more is wanted");
+  lamp("box", !report?.hasBox ? "off" : !connected ? "bad" : hz >= 10 ? "good" : "warn", boxText(report), "World state to the referee box: 10 Hz or more is wanted");
   const bits = bitRate(update);
   const megabits = (bits ?? 0) / 1e6;
   const thrift = thriftText(update);
-  const airText = bits === undefined ? "air –" : `air ${megabits.toFixed(2)}`;
+  const airText = bits === undefined ? "air –" : `air ${megabits.toFixed(2)} of 2.2`;
   lamp("air", bits === undefined ? "off" : megabits > 2.2 ? "bad" : megabits > 2.0 || thrift ? "warn" : "good", thrift ? `${airText} ↓` : airText, `What the team sends, Mbit/s with headers; the league's limit is 2.2. Left out to keep within it: ${thrift || "nothing"}`);
   const secured = isSecured(update);
   lamp("security", secured ? "good" : "off", secured === undefined ? "security –" : secured ? "secured" : "security off", secured ? "Only who has the team's keys can speak or listen" : "Anybody on this network can speak for a robot; teamsight keys makes the team's keys");

@@ -5,7 +5,7 @@ import { html, write } from "./dom";
 import * as format from "./format";
 import type { Orders } from "./orders";
 import { difference } from "./raw_layer";
-import { rejectedText } from "./table_view";
+import { rejectedText } from "./robot_cells";
 import { withoutText } from "./without_layer";
 
 /** How long a look at camera or line points is asked for at a time, and how often again. */
@@ -34,10 +34,10 @@ export class RobotCard {
   ) {
     this.title = html("h2", "", root, "Robot 1");
     const bar = html("div", "robot-orders", root);
-    const button = (text: string, title: string, act: () => void): HTMLButtonElement => {
+    const button = (text: string, why: string, act: () => void): HTMLButtonElement => {
       const element = html("button", "tool", bar, text);
       element.type = "button";
-      element.title = title;
+      element.dataset["why"] = why;
       element.addEventListener("click", act);
       return element;
     };

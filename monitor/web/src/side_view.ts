@@ -1,8 +1,9 @@
 // monitor/web/src/side_view.ts: beside the field: the ball in numbers, processes, events, who leads.
 import type { MonitorEvent, MonitorUpdate } from "./generated/monitor_pb";
-import type { ExplainedHint } from "./generated/recording_pb";
+import type { Diagnostics, ExplainedHint } from "./generated/recording_pb";
 import { byId, html, set, write } from "./dom";
 import * as format from "./format";
+import { Roving } from "./roving";
 import type { BallMark, Scene } from "./scene";
 
 const LONGEST_LOG = 200;
@@ -42,8 +43,8 @@ export class BallCard {
     this.bar = html("div", "bar-fill", html("div", "bar-track", this.values.existence.parentElement ?? figures));
     const seen = html("div", "seen", root);
     html("span", "figure-name", seen, "Seen by");
-    html("span", "figure-name", seen, "Contradicted by");
     this.seenBy = html("span", "chips", seen);
+    html("span", "figure-name", seen, "Contradicted by");
     this.againstBy = html("span", "chips against", seen);
   }
 
@@ -54,7 +55,7 @@ export class BallCard {
     write(this.values.speed, ball ? `${ball.speed.toFixed(1)} m/s` : format.UNKNOWN);
     write(this.values.height, ball ? format.metres(ball.z) : format.UNKNOWN);
     write(this.values.age, ball ? format.age(ball.ageMs) : format.UNKNOWN);
-    write(this.values.place, ball ? `${ball.x.toFixed(1)}, ${ball.y.toFixed(1)} m` : format.UNKNOWN);
+    write(this.values.place, ball ? `${format.signed(ball.x)}, ${format.signed(ball.y)} m` : format.UNKNOWN);
     write(this.values.existence, ball ? format.percent(ball.existence) : format.UNKNOWN);
     this.bar.style.width = `${(ball?.existence ?? 0) * 100}%`;
     this.chips(this.seenBy, ball, ball?.supporters ?? []);
@@ -73,37 +74,52 @@ export class BallCard {
 
 /** One line per process that is no agent; agents have their table. */
 export class ProcessCard {
-  private shown = "";
+  private readonly list: HTMLElement;
+  private readonly dropped: HTMLElement;
+  private readonly roving: Roving;
 
-  constructor(private readonly root: HTMLElement) {
+  constructor(root: HTMLElement) {
     html("h2", "", root, "Processes");
+    this.list = html("div", "process-list", root);
+    this.dropped = html("div", "dropped", root);
+    this.roving = new Roving(root, "", "[data-why]");
   }
 
   draw(update: MonitorUpdate): void {
-    const lines = update.processes.map((process) => ({
-      healthy: process.healthy,
-      name: process.process,
-      title: process.message,
-      load: `${format.percent(process.cpuLoad)}`,
-      step: `${format.latency(process.stepMsP95)} ms`,
-    }));
-    const dropped = update.rejected.map((counter) => `${counter.name} ${format.count(counter.value)}`);
-    const text = JSON.stringify([lines, dropped]);
-    if (text === this.shown) return;
-    this.shown = text;
-    this.root.replaceChildren();
-    html("h2", "", this.root, "Processes");
-    for (const line of lines) {
-      const row = html("div", `process ${line.healthy ? "well" : "ill"}`, this.root);
-      row.title = line.title;
-      html("span", "dot", row);
-      html("span", "process-name", row, line.name);
-      html("span", "process-number", row, line.step);
-      html("span", "process-number", row, line.load);
-    }
-    if (lines.length === 0) html("div", "none", this.root, "none heard");
-    if (dropped.length > 0) html("div", "dropped", this.root, `Dropped here: ${dropped.join(", ")}`);
+    const processes = update.processes;
+    while (this.list.childElementCount > processes.length) this.list.lastElementChild?.remove();
+    processes.forEach((process, index) => {
+      const line = this.list.children[index] ?? this.makeLine();
+      set(line, { class: `process ${process.healthy ? "well" : "ill"}`, "data-why": processText(process) });
+      write(line.children[1]!, process.process);
+      write(line.children[2]!, `${format.latency(process.stepMsP95)} ms`);
+      write(line.children[3]!, format.percent(process.cpuLoad));
+    });
+    const dropped = update.rejected.map((counter) => `${counter.name} ${format.count(counter.value)}`).join(", ");
+    const words = dropped ? `Dropped here: ${dropped}` : processes.length === 0 ? "none heard" : "";
+    write(this.dropped, words);
+    this.dropped.hidden = words === "";
+    set(this.dropped, { class: dropped ? "dropped" : "none" });
+    if (dropped) set(this.dropped, { tabindex: this.dropped.tabIndex, "data-why": `Samples that this station did not use, by topic and reason: ${dropped}` });
+    else this.dropped.removeAttribute("data-why");
+    this.roving.keepStop();
   }
+
+  private makeLine(): Element {
+    const line = html("div", "", this.list);
+    line.tabIndex = -1;
+    html("span", "dot", line);
+    html("span", "process-name", line);
+    html("span", "process-number", line);
+    html("span", "process-number", line);
+    return line;
+  }
+}
+
+/** How a process is, in words. */
+export function processText(process: Diagnostics): string {
+  const how = process.message || (process.healthy ? "well" : "not well");
+  return `${process.process}: ${how}. 95 % of its steps take less than ${format.latency(process.stepMsP95)} ms; it takes ${format.percent(process.cpuLoad)} of a core`;
 }
 
 interface LogLine {
@@ -164,7 +180,7 @@ export function drawLead(update: MonitorUpdate, sinceUpdateMs: number): void {
   const root = byId("lead");
   const world = update.world;
   const ageMs = update.worldAgeMs + sinceUpdateMs;
-  set(root, { "data-freshness": world ? format.freshness(ageMs) : "lost" });
+  set(root, { "data-freshness": world ? format.freshness(ageMs) : "lost", "data-why": "Whose world model is shown, and how long ago it came" });
   write(byId("leader"), leaderText(world?.sample?.robotId));
   write(byId("lead-age"), world ? `${format.age(Math.round(ageMs / 10) * 10)} ago` : format.UNKNOWN);
 }

@@ -43,10 +43,10 @@ export class TimelineView {
   ) {
     const root = byId("timeline");
     root.replaceChildren();
-    const button = (text: string, title: string, act: () => void): HTMLButtonElement => {
+    const button = (text: string, why: string, act: () => void): HTMLButtonElement => {
       const element = html("button", "tool", root, text);
       element.type = "button";
-      element.title = title;
+      element.dataset["why"] = why;
       element.addEventListener("click", () => {
         act();
         this.actions.changed();
@@ -84,7 +84,8 @@ export class TimelineView {
     this.position = html("span", "position", root);
     this.position.id = "position";
     this.speed = html("select", "tool", root);
-    this.speed.title = "Speed (+ and −)";
+    this.speed.dataset["why"] = "Speed (+ and −)";
+    this.speed.setAttribute("aria-label", "Speed");
     for (const speed of SPEEDS) html("option", "", this.speed, `${speed}×`).value = String(speed);
     this.speed.addEventListener("change", () => {
       player.speed = Number(this.speed.value);
@@ -92,9 +93,9 @@ export class TimelineView {
       this.actions.changed();
     });
     const skip = html("label", "tool skip", root);
-    skip.title = "Leaves out the time in which the game stands still";
     const box = html("input", "", skip);
     box.type = "checkbox";
+    box.dataset["why"] = skip.dataset["why"] = "Leaves out the time in which the game stands still";
     box.addEventListener("change", () => (player.skipsStops = box.checked));
     html("span", "", skip, "skip stops");
     icon("star", "Bookmark now (b)", () => actions.bookmark());

@@ -12,7 +12,7 @@ import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
 import { bitRate, commandText, courseText, gameText, isSecured, thriftText } from "../src/referee_view";
 import { markOf, sceneOf } from "../src/scene";
-import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, rowsOf, trustCell } from "../src/table_view";
+import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, rowsOf, trustCell } from "../src/robot_cells";
 import { leaderText } from "../src/side_view";
 import { View } from "../src/view";
 import { withoutText } from "../src/without_layer";
@@ -107,7 +107,7 @@ describe("a row of the table", () => {
   it("shows a lost link, a late one and a shared id", () => {
     expect(linkCell(row({}), 10)).toEqual({ text: "40 ms", tone: "good" });
     expect(linkCell(row({}), 300).tone).toBe("warn");
-    expect(linkCell(row({ alive: false, ageMs: 4000 }), 0)).toEqual({ text: "lost 4.0 s", tone: "bad" });
+    expect(linkCell(row({ alive: false, ageMs: 4000 }), 0)).toMatchObject({ text: "lost 4.0 s", tone: "bad" });
     expect(linkCell(row({ duplicate: true }), 0).text).toBe("id used twice");
   });
 
@@ -248,6 +248,8 @@ describe("keys", () => {
     expect(isTaken("b", "INPUT", "checkbox")).toBe(false);
     expect(isTaken(" ", "INPUT", "range")).toBe(false);
     expect(isTaken(" ", "BODY", "")).toBe(false);
+    expect(isTaken(" ", "BUTTON", "button")).toBe(true);
+    expect(isTaken("b", "BUTTON", "button")).toBe(false);
   });
 });
 
@@ -299,7 +301,7 @@ describe("orders", () => {
     expect(gameText(undefined)).toBe("no referee");
     const told = (phase: number, lastCommand: string) => create(MonitorUpdateSchema, { referee: { hasBox: true, lastCommand, state: { phase, commandAgeMs: 3000 } } }).referee;
     expect(courseText(told(1, "before the game"))).toBe("before the game · 3.0 s ago");
-    expect(courseText(told(2, "START"))).toBe("first half · START · 3.0 s ago");
+    expect(courseText(told(2, "START"))).toBe("1st half · START · 3.0 s ago");
     expect(courseText(undefined)).toBe("no referee box");
   });
 });
