@@ -97,7 +97,7 @@ Agent::Agent(AgentIdentity identity,
       hearing_(*bus.team) {
   hearing_.watch(bus_->peers);
   hearing_.watch(bus_->worlds);
-  hearing_.watch_beside(air_.reports(), bus_->peers, bus_->worlds);
+  hearing_.watch_always(air_.reports(), bus_->peers, bus_->worlds);
 }
 
 void Agent::join(bus::Loop& loop) {

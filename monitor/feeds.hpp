@@ -43,7 +43,7 @@ struct Feeds {
     ear.watch(sightings);
     ear.watch(worlds);
     ear.watch_beside(explanations, worlds);
-    ear.watch_beside(diagnostics, states, worlds);
+    ear.watch_always(diagnostics, states, worlds);
   }
 
   bus::Reader<bus::RobotState> states;

@@ -286,7 +286,10 @@ int run(const Options& options) {
   }
   pass_on(loop, feeds, station, desk, what_if);
   loop.on_readable(server.event_fd(), [&]() { oper.listen(token); });
-  loop.every(kRepeatPeriod, [&]() { oper.repeat(); });
+  loop.every(kRepeatPeriod, [&]() {
+    oper.repeat();
+    hearing.note_unanswered(desk.unanswered_by(station.alive(), bus::host_now()));
+  });
   Pace pace;
   const auto tell = [&](Duration pause) {
     const HostTime now = bus::host_now();

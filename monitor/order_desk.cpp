@@ -8,6 +8,7 @@ namespace teamsight::monitor {
 namespace {
 
 constexpr Duration kPatience = std::chrono::seconds(3);
+constexpr Duration kDoubt = kPatience / 2;  // what is then mended is in time for the last repeats
 constexpr Duration kRepeat = std::chrono::milliseconds(300);
 constexpr Duration kShown = std::chrono::seconds(10);
 constexpr std::size_t kMostPending = 64;
@@ -75,6 +76,20 @@ std::vector<bus::Command> OrderDesk::due(HostTime now) {
     commands.push_back(pending.command);
   }
   return commands;
+}
+
+std::vector<RobotId> OrderDesk::unanswered_by(const std::vector<RobotId>& alive,
+                                              HostTime now) const {
+  std::vector<RobotId> robots;
+  for (const RobotId robot : alive) {
+    if (std::any_of(pending_.begin(), pending_.end(), [&](const Pending& pending) {
+          const Duration age = now - pending.given;
+          return age >= kDoubt && age < kPatience && pending.waits_for.contains(robot);
+        })) {
+      robots.push_back(robot);
+    }
+  }
+  return robots;
 }
 
 std::vector<ActionReport> OrderDesk::report(HostTime now) {

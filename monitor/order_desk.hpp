@@ -36,6 +36,10 @@ class OrderDesk {
   /// The commands to write again: those not acknowledged yet.
   [[nodiscard]] std::vector<bus::Command> due(HostTime now);
 
+  /// The robots among these that have let an order wait for long, while it is still repeated.
+  [[nodiscard]] std::vector<RobotId> unanswered_by(const std::vector<RobotId>& alive,
+                                                   HostTime now) const;
+
   /// For the page; orders leave ten seconds after they were given.
   [[nodiscard]] std::vector<ActionReport> report(HostTime now);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "bus/loop.hpp"
 #include "monitor/feeds.hpp"
@@ -17,6 +18,11 @@ class OwnHearing {
   OwnHearing(bus::Participant& team, const Feeds& feeds, bus::Loop& loop) : hearing_(team) {
     feeds.watch(hearing_);
     hearing_.attach(loop);
+  }
+
+  /// These robots are heard and let an order wait: perhaps they do not hear the station.
+  void note_unanswered(const std::vector<RobotId>& robots) {
+    for (const RobotId robot : robots) hearing_.note_unanswered(robot);
   }
 
   /// The station's report on itself, with what there is to say about this; a new time is logged.

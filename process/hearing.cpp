@@ -42,6 +42,8 @@ void Hearing::look(HostTime now) {
     listen(ear, now, unheard);
     peer = std::max(peer, ear.renamed());
   }
+  for (const RobotId robot : unanswered_) unheard.push_back({{robot}, Sign::kUnanswered});
+  unanswered_.clear();
   if (!rule_.step(unheard, peer, now)) return;
   ++times_;
   last_ = now;
@@ -55,13 +57,14 @@ void Hearing::listen(const Ear& ear, HostTime now, std::vector<Unheard>& unheard
   for (const Names& witness : ear.witnesses) {
     for (const bus::WriterName& name : witness(now)) heard.push_back(name);
   }
-  const bool is_quiet = !ear.witnesses.empty();
   for (const bus::WriterName& name : silent) {
     const auto is_same = [&](const auto& other) {
       return are_of_one_process(name, other);
     };
-    if (!is_quiet || std::any_of(heard.begin(), heard.end(), is_same)) {
-      unheard.push_back({name, is_quiet});
+    if (std::any_of(heard.begin(), heard.end(), is_same)) {
+      unheard.push_back({name, Sign::kBeside});
+    } else if (ear.unwitnessed) {
+      unheard.push_back({name, *ear.unwitnessed});
     }
   }
 }

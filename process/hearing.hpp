@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "bus/loop.hpp"
 #include "bus/messages.hpp"
 #include "bus/participant.hpp"
 #include "bus/reader.hpp"
+#include "geometry/identity.hpp"
 #include "process/rejoin_rule.hpp"
 
 namespace teamsight::process {
@@ -25,11 +28,7 @@ class Hearing {
   /// @param reader  must outlive it
   template <class Message>
   void watch(const bus::Reader<Message>& reader) {
-    ears_.push_back({[&reader](HostTime now) { return reader.unheard_writers(now, kPatience); },
-                     {},
-                     [&reader] {
-                       return reader.writer_renamed();
-                     }});
+    ears_.push_back(ear_of(reader, {}, Sign::kLeased));
   }
 
   /// Watches a topic that is told of about once a second and has no lease: a writer may live and
@@ -39,14 +38,18 @@ class Hearing {
   /// @param witnesses  of topics on which the same processes speak
   template <class Message, class... Witness>
   void watch_beside(const bus::Reader<Message>& reader, const bus::Reader<Witness>&... witnesses) {
-    ears_.push_back({[&reader](HostTime now) { return reader.unheard_writers(now, kPatience); },
-                     {[&witnesses](HostTime now) {
-                       return witnesses.heard_writers(now, kWitnessPatience);
-                     }...},
-                     [&reader] {
-                       return reader.writer_renamed();
-                     }});
+    ears_.push_back(ear_of(reader, {names_of(witnesses)...}, std::nullopt));
   }
+
+  /// The same for a topic on which whoever may write it does so every few seconds: a writer that is
+  /// there and heard nowhere is doubtful.
+  template <class Message, class... Witness>
+  void watch_always(const bus::Reader<Message>& reader, const bus::Reader<Witness>&... witnesses) {
+    ears_.push_back(ear_of(reader, {names_of(witnesses)...}, Sign::kDoubtful));
+  }
+
+  /// A robot that is heard has not done what this process asked of it: perhaps it does not hear.
+  void note_unanswered(RobotId robot) { unanswered_.push_back(robot); }
 
   /// Looks from now on.
   void attach(bus::Loop& loop);
@@ -68,15 +71,36 @@ class Hearing {
 
   struct Ear {
     Names unheard;
-    std::vector<Names> witnesses;  // none: the topic's lease says who lives
+    std::vector<Names> witnesses;
+    std::optional<Sign> unwitnessed;  // what being unheard says by itself
     std::function<HostTime()> renamed;
   };
+
+  template <class Message>
+  static Names names_of(const bus::Reader<Message>& witness) {
+    return [&witness](HostTime now) {
+      return witness.heard_writers(now, kWitnessPatience);
+    };
+  }
+
+  template <class Message>
+  static Ear ear_of(const bus::Reader<Message>& reader,
+                    std::vector<Names> witnesses,
+                    std::optional<Sign> unwitnessed) {
+    return {[&reader](HostTime now) { return reader.unheard_writers(now, kPatience); },
+            std::move(witnesses),
+            unwitnessed,
+            [&reader] {
+              return reader.writer_renamed();
+            }};
+  }
 
   static void listen(const Ear& ear, HostTime now, std::vector<Unheard>& unheard);
 
   bus::Participant* team_;
   RejoinRule rule_;
   std::vector<Ear> ears_;
+  std::vector<RobotId> unanswered_;
   std::uint64_t times_{0};
   HostTime last_{};
   bool is_out_{false};  // it could not join; it tries again

@@ -11,13 +11,14 @@ bool RejoinRule::step(const std::vector<Unheard>& unheard, HostTime peer, HostTi
   stepped_ = now;
   if (!has_watched) silent_.clear();
   std::map<bus::WriterName, Silence> silent;
-  for (const auto& [name, is_quiet] : unheard) {
+  for (const auto& [name, sign] : unheard) {
     const auto known = silent_.find(name);
-    silent[name] = {known == silent_.end() ? now : known->second.since, is_quiet};
+    silent[name] = {known == silent_.end() ? now : known->second.since, sign};
   }
   silent_ = std::move(silent);
-  std::erase_if(blamed_,
-                [&](const auto& entry) { return now - entry.second > parameters_.memory; });
+  std::erase_if(blamed_, [&](const auto& entry) {
+    return now - entry.second > parameters_.memory && !is_doubtful(entry.first);
+  });
   if (!has_reason(peer, now)) return false;
   for (const auto& [name, silence] : silent_) blamed_[name] = now;
   silent_.clear();
@@ -31,9 +32,27 @@ bool RejoinRule::has_reason(HostTime peer, HostTime now) const {
   const bool peer_did = peer != HostTime{} && now - peer <= parameters_.patience;
   if (peer_did && since_last >= parameters_.follow) return true;
   return std::any_of(silent_.begin(), silent_.end(), [&](const auto& entry) {
-    return now - entry.second.since >= patience_with(entry.second) &&
+    return now - entry.second.since >= patience_with(entry.second.sign) &&
            !blamed_.contains(entry.first);
   });
+}
+
+Duration RejoinRule::patience_with(Sign sign) const {
+  switch (sign) {
+    case Sign::kLeased:
+      return parameters_.patience;
+    case Sign::kUnanswered:
+      return Duration{0};
+    case Sign::kBeside:
+    case Sign::kDoubtful:
+      break;
+  }
+  return parameters_.quiet_patience;
+}
+
+bool RejoinRule::is_doubtful(const bus::WriterName& name) const {
+  const auto found = silent_.find(name);
+  return found != silent_.end() && found->second.sign == Sign::kDoubtful;
 }
 
 }  // namespace teamsight::process

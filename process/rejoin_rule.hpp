@@ -2,6 +2,7 @@
 // value; time as an argument.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
@@ -11,10 +12,18 @@
 
 namespace teamsight::process {
 
-/// A writer that lives and was not heard of late.
+/// Why somebody is taken to live and yet not to be heard, or not to hear.
+enum class Sign : std::uint8_t {
+  kLeased,    ///< its topic's lease holds
+  kBeside,    ///< on a topic without lease, of which is told seldom; it is heard on another one
+  kDoubtful,  ///< the same, heard nowhere, and yet its computer says it is there: shut out or hung
+  kUnanswered,  ///< it is heard, and has not done what this process asked of it
+};
+
+/// A writer that lives and was not heard of late; of `kUnanswered`, the robot's.
 struct Unheard {
   bus::WriterName name{};
-  bool is_quiet{false};  ///< of a topic that is told of seldom, and has no lease
+  Sign sign{Sign::kLeased};
 };
 
 struct RejoinParameters {
@@ -24,7 +33,8 @@ struct RejoinParameters {
   Duration quiet_patience{std::chrono::seconds(30)};
   Duration pause{std::chrono::seconds(5)};  ///< between two times, at least
   /// One writer is a reason once in so long: what joining anew has not helped, it will not help at
-  /// once (somebody goes on forging, or repeats a session that is over).
+  /// once (somebody goes on forging, or repeats a session that is over). A doubtful one is a reason
+  /// once until it is heard: a process that hangs must not make the team join anew every minute.
   Duration memory{std::chrono::seconds(60)};
   /// Whoever has not joined anew for so long does it when another one does: the forger knows this
   /// one's old name as well, and it cannot notice itself that nobody hears it.
@@ -51,12 +61,11 @@ class RejoinRule {
 
   struct Silence {
     HostTime since;  // without a break
-    bool is_quiet{false};
+    Sign sign{Sign::kLeased};
   };
 
-  [[nodiscard]] Duration patience_with(const Silence& silence) const {
-    return silence.is_quiet ? parameters_.quiet_patience : parameters_.patience;
-  }
+  [[nodiscard]] Duration patience_with(Sign sign) const;
+  [[nodiscard]] bool is_doubtful(const bus::WriterName& name) const;
 
   std::map<bus::WriterName, Silence> silent_;
   std::map<bus::WriterName, HostTime> blamed_;  // when last

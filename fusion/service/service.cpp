@@ -96,7 +96,7 @@ Service::Service(bus::Participant& team,
   hearing_.watch(worlds_);
   hearing_.watch_beside(probes_, echoes_, air_.reports());
   hearing_.watch_beside(echoes_, probes_, air_.reports());
-  hearing_.watch_beside(air_.reports(), sightings_, probes_, echoes_);
+  hearing_.watch_always(air_.reports(), sightings_, probes_, echoes_);
 }
 
 void Service::attach(bus::Loop& loop) {

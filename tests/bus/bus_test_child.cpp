@@ -77,6 +77,7 @@ void write_reports(const Job& job) {
   const auto robot = static_cast<RobotId>(job.number);
   std::uint32_t sequence = 0;
   loop.every(milliseconds(50), [&] {
+    if (hanging) return;
     auto report = bus::testing::full<Diagnostics>();
     report.id = {robot, own_boot(), ++sequence};
     report.stamp = stamp_of(host_now());

@@ -51,9 +51,21 @@ inline std::vector<std::uint8_t> forged(const WriterName& writer) {
   return packet;
 }
 
+/// An RTPS message that says of a reliable writer that all up to a million are gone.
+inline std::vector<std::uint8_t> forged_heartbeat(const WriterName& writer) {
+  std::vector<std::uint8_t> packet{'R', 'T', 'P', 'S', 2, 1, 1, 0x10};
+  packet.insert(packet.end(), writer.begin(), writer.begin() + 12);
+  packet.insert(packet.end(), {0x07, 0x03, 28, 0, 0, 0, 0, 0});  // HEARTBEAT, final; any reader
+  packet.insert(packet.end(), writer.begin() + 12, writer.end());
+  for (int i = 0; i < 2; ++i) {  // first and last number that there is
+    packet.insert(packet.end(), {0, 0, 0, 0, 0x40, 0x42, 0x0f, 0});
+  }
+  packet.insert(packet.end(), {0, 0, 0, 0x10});  // its own number, above the true ones
+  return packet;
+}
+
 /// Sends it as the team's own samples go: by multicast, on the loopback interface.
-inline void forge_number(const WriterName& writer, std::uint32_t domain) {
-  const std::vector<std::uint8_t> packet = forged(writer);
+inline void send_forged(const std::vector<std::uint8_t>& packet, std::uint32_t domain) {
   const int out = ::socket(AF_INET, SOCK_DGRAM, 0);
   in_addr loopback{};
   loopback.s_addr = htonl(INADDR_LOOPBACK);
@@ -64,6 +76,10 @@ inline void forge_number(const WriterName& writer, std::uint32_t domain) {
   inet_pton(AF_INET, "239.255.0.1", &to.sin_addr);
   ::sendto(out, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof to);
   ::close(out);
+}
+
+inline void forge_number(const WriterName& writer, std::uint32_t domain) {
+  send_forged(forged(writer), domain);
 }
 
 }  // namespace teamsight::bus::testing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,7 +11,9 @@
 
 #include <gmock/gmock.h>
 
+#include "bus/participant.hpp"
 #include "monitor.pb.h"
+#include "tests/bus/forger.hpp"
 #include "tests/monitor/watcher.hpp"
 #include "tests/support/process.hpp"
 
@@ -51,6 +54,17 @@ class Monitor : public ::testing::Test {
     const std::string line = monitor_->out();
     const auto begin = line.find("http://");
     return test::host_of(line.substr(begin, line.find('"', begin) - begin));
+  }
+
+  /// A page's order, with the token of the station's first line.
+  [[nodiscard]] std::string mute(std::uint32_t robot) const {
+    const std::string line = monitor_->out();
+    const auto begin = line.find("#token=") + 7;
+    v1::MonitorRequest request;
+    request.set_token(line.substr(begin, line.find('"', begin) - begin));
+    request.mutable_mute()->set_robot_id(robot);
+    request.mutable_mute()->set_muted(true);
+    return request.SerializeAsString();
   }
 
   static ChildProcess fake(const std::string& role, const std::string& robot) {
@@ -142,6 +156,35 @@ TEST_F(Monitor, TellsWithinASecondThatARobotFellSilent) {
   EXPECT_TRUE(told);
   EXPECT_TRUE(logged);
   EXPECT_LT(age_ms, 1000.0);
+}
+
+TEST_F(Monitor, IsObeyedThoughAForgedPacketKeepsItsOrdersFromTheRobots) {
+  const ChildProcess robot = fake("robot", "1");
+  test::Watcher watcher(host());
+  ASSERT_TRUE(watch(watcher, kStart, [](const v1::MonitorUpdate& update) {
+    return update.robots_size() == 1 && update.robots(0).received() > 20;
+  }));
+  const auto stranger = bus::Participant::join(
+      {test::unique_domain(), test::source_path("config/dds/loopback.xml").string(), "demo"});
+  std::optional<bus::WriterName> orders;
+  ASSERT_TRUE(test::wait_until(
+      [&] {
+        orders = bus::testing::announced_writer(stranger, "teamsight/v1/Command");
+        return orders.has_value();
+      },
+      kStart));
+  bus::testing::send_forged(bus::testing::forged_heartbeat(*orders), test::unique_domain());
+
+  watcher.send_binary(mute(1));
+
+  bool has_waited = false;
+  EXPECT_TRUE(watch(watcher, seconds(5), [&](const v1::MonitorUpdate& update) {
+    if (update.actions_size() == 0) return false;
+    const v1::MonitorAction& action = update.actions(0);
+    has_waited = has_waited || (action.state() == "waiting" && action.age_ms() > 1000.0);
+    return action.state() == "done";
+  }));
+  EXPECT_TRUE(has_waited) << "nothing was forged";
 }
 
 TEST_F(Monitor, ASecondOneOnTheSamePortSaysSoAndLeaves) {

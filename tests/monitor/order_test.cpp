@@ -17,6 +17,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -127,6 +128,17 @@ TEST(OrderDesk, RepeatsAnOrderUntilTheRobotAcknowledgesIt) {
 
   EXPECT_THAT(desk.due(kNow + seconds(1)), IsEmpty());
   EXPECT_EQ(desk.report(kNow + seconds(1)).at(0).state, ActionState::kDone);
+}
+
+TEST(OrderDesk, TellsWhoLetsAnOrderWaitWhileThereIsTimeToMendIt) {
+  OrderDesk desk(7);
+  const bus::Command command = desk.take(mute(kNobody), {1, 3}, kNow);
+  desk.hear(1, command.command);
+
+  EXPECT_THAT(desk.unanswered_by({1, 3}, kNow + seconds(1)), IsEmpty());
+  EXPECT_THAT(desk.unanswered_by({1, 3}, kNow + seconds(2)), ElementsAre(3));
+  EXPECT_THAT(desk.unanswered_by({1}, kNow + seconds(2)), IsEmpty()) << "robot 3 is gone";
+  EXPECT_THAT(desk.unanswered_by({1, 3}, kNow + seconds(4)), IsEmpty());
 }
 
 RobotOrder unmute(RobotId target) {

@@ -3,6 +3,7 @@
 
 #include <csignal>
 
+#include "tests/network/held_thread.hpp"
 #include "tests/network/stage.hpp"
 
 namespace teamsight::network {
@@ -202,6 +203,22 @@ Outcome freeze(const ScenarioOptions& options) {
   return stage.outcome;
 }
 
+Outcome hang(const ScenarioOptions& options) {
+  Stage stage("hang", options, team_of(options));
+  stage.start();
+  const std::uint32_t ball = ball_of(stage.team);
+  const std::int64_t hung = now_ns();
+  {
+    const HeldThread main_loop(stage.team.fusion(6).pid());
+    expect_hand_over(stage, options, hung);
+    stage.report("the leading fusion's main loop hangs", {hung, now_ns()});
+    stage.outcome.expect(ball_of(stage.team) == ball, "the ball keeps its id");
+  }
+  const std::int64_t again = now_ns();
+  expect_recovery(stage, "it leads again", await_leader(stage, 6, again, seconds(10)), 3000.0);
+  return stage.outcome;
+}
+
 Outcome kill_leader(const ScenarioOptions& options) {
   Stage stage("kill", options, team_of(options));
   stage.start();
@@ -320,6 +337,7 @@ const std::vector<Scenario>& all_scenarios() {
       {"split-60", "two halves for 60 s", split_60},
       {"vanish", "the leader's host vanishes without a word", vanish},
       {"freeze", "the leader's host freezes for 2 s", freeze},
+      {"hang", "the leading fusion's main loop hangs for 2 s, its other threads go on", hang},
       {"kill", "the leading fusion is killed", kill_leader},
       {"late-robot", "a robot starts four seconds after the others", late_robot},
       {"late-robot-lossy", "the same while 30 % of the frames are lost", late_robot_lossy},

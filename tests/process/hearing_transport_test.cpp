@@ -1,5 +1,7 @@
 // tests/process/hearing_transport_test.cpp: a quiet topic's writer that a forged packet shut out is
-// let in again, if its process is heard elsewhere.
+// let in again.
+#include <csignal>
+
 #include <gtest/gtest.h>
 
 #include "bus/clock.hpp"
@@ -23,14 +25,14 @@ constexpr char kDiagnostics[] = "teamsight/v1/Diagnostics";
 RejoinParameters hasty() {
   RejoinParameters parameters;
   parameters.quiet_patience = milliseconds(1500);
+  parameters.pause = milliseconds(500);
+  parameters.memory = seconds(2);
   return parameters;
 }
 
 /// A process that hears another one's reports, and its states if there are any.
 class QuietTopic : public ::testing::Test {
  protected:
-  QuietTopic() { hearing_.watch_beside(reports_, states_); }
-
   /// Listens, as a process does, until the claim holds or the bound.
   template <class Claim>
   bool listen_until(const Claim& claim, milliseconds bound) {
@@ -64,7 +66,17 @@ class QuietTopic : public ::testing::Test {
   Hearing hearing_{team_, hasty()};
 };
 
-TEST_F(QuietTopic, IsHeardAgainWhereItsProcessIsHeardElsewhere) {
+class TopicBeside : public QuietTopic {
+ protected:
+  TopicBeside() { hearing_.watch_beside(reports_, states_); }
+};
+
+class TopicOfEverybody : public QuietTopic {
+ protected:
+  TopicOfEverybody() { hearing_.watch_always(reports_, states_); }
+};
+
+TEST_F(TopicBeside, IsHeardAgainWhereItsProcessIsHeardElsewhere) {
   const test::ChildProcess child = start_child("reports", domain_, 3, 1);
   ASSERT_TRUE(listen_until([this] { return heard() > 5; }, kPatience));
   ASSERT_TRUE(silence_reports());
@@ -74,7 +86,7 @@ TEST_F(QuietTopic, IsHeardAgainWhereItsProcessIsHeardElsewhere) {
   EXPECT_EQ(hearing_.times(), 1U);
 }
 
-TEST_F(QuietTopic, IsLeftAloneWhereNothingElseSaysThatItsProcessLives) {
+TEST_F(TopicBeside, IsLeftAloneWhereNothingElseSaysThatItsProcessLives) {
   const test::ChildProcess child = start_child("reports", domain_, 3);
   ASSERT_TRUE(listen_until([this] { return heard() > 5; }, kPatience));
   ASSERT_TRUE(silence_reports());
@@ -82,6 +94,37 @@ TEST_F(QuietTopic, IsLeftAloneWhereNothingElseSaysThatItsProcessLives) {
 
   EXPECT_FALSE(listen_until([&] { return heard() > before; }, seconds(3)));
   EXPECT_EQ(hearing_.times(), 0U);
+}
+
+TEST_F(TopicOfEverybody, IsHeardAgainThoughNothingElseSaysThatItsProcessLives) {
+  const test::ChildProcess child = start_child("reports", domain_, 3);
+  ASSERT_TRUE(listen_until([this] { return heard() > 5; }, kPatience));
+  ASSERT_TRUE(silence_reports());
+  const std::uint64_t before = heard();
+
+  EXPECT_TRUE(listen_until([&] { return heard() > before + 5; }, kPatience));
+  EXPECT_EQ(hearing_.times(), 1U);
+}
+
+TEST_F(TopicOfEverybody, MakesOneJoinAnewOnceForAProcessThatHangs) {
+  test::ChildProcess child = start_child("reports", domain_, 3);
+  ASSERT_TRUE(listen_until([this] { return heard() > 5; }, kPatience));
+  child.kill(SIGUSR1);
+
+  EXPECT_TRUE(listen_until([&] { return hearing_.times() == 1; }, kPatience));
+  EXPECT_FALSE(listen_until([&] { return hearing_.times() > 1; }, seconds(4)));
+}
+
+TEST_F(TopicOfEverybody, IsNotNeededToSeeThatARobotDoesNotHear) {
+  hearing_.look(bus::host_now());
+  EXPECT_EQ(hearing_.times(), 0U);
+
+  for (int i = 0; i < 3; ++i) {
+    hearing_.note_unanswered(3);
+    hearing_.look(bus::host_now());
+  }
+
+  EXPECT_EQ(hearing_.times(), 1U) << "once a minute";
 }
 
 }  // namespace

@@ -9,9 +9,11 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const Unheard kOne{{1}, false};
-const Unheard kOther{{2}, false};
-const Unheard kQuiet{{3}, true};
+const Unheard kOne{{1}, Sign::kLeased};
+const Unheard kOther{{2}, Sign::kLeased};
+const Unheard kQuiet{{3}, Sign::kBeside};
+const Unheard kDoubtful{{4}, Sign::kDoubtful};
+const Unheard kDeaf{{5}, Sign::kUnanswered};
 
 HostTime at(Duration since) {
   return HostTime{seconds(1000)} + since;
@@ -37,6 +39,24 @@ TEST(RejoinRule, WaitsLongerWhereLittleIsSaid) {
 
   EXPECT_EQ(steps(rule, {kQuiet}, seconds(0), seconds(30)), 0);
   EXPECT_TRUE(rule.step({kQuiet}, {}, at(seconds(30))));
+}
+
+TEST(RejoinRule, TakesADoubtfulWriterForAReasonOnceUntilItIsHeard) {
+  RejoinRule rule({});
+
+  EXPECT_EQ(steps(rule, {kDoubtful}, seconds(0), seconds(30)), 0);
+  EXPECT_EQ(steps(rule, {kDoubtful}, seconds(30), seconds(600)), 1);
+  EXPECT_EQ(steps(rule, {}, seconds(600), seconds(601)), 0);
+  EXPECT_EQ(steps(rule, {kDoubtful}, seconds(601), seconds(640)), 1);
+}
+
+TEST(RejoinRule, ActsAtOnceAndOnceAMinuteOnARobotThatDoesNotAnswer) {
+  RejoinRule rule({});
+
+  EXPECT_TRUE(rule.step({kDeaf}, {}, at(seconds(0))));
+  EXPECT_EQ(steps(rule, {kDeaf}, milliseconds(500), seconds(60)), 0);
+  EXPECT_EQ(steps(rule, {}, seconds(60), seconds(70)), 0);
+  EXPECT_TRUE(rule.step({kDeaf}, {}, at(seconds(70))));
 }
 
 TEST(RejoinRule, DoesNotActWhileEverybodyIsHeardNowAndThen) {
