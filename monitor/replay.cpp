@@ -126,7 +126,10 @@ class Projector {
       station_.note(at, Level::kInfo, "Referee: " + change);
       last_command_ = change;
     }
-    game_ = RefereeReport{game, last_command_, game.box_connected, 0.0, 0, 0};
+    game_.emplace();
+    game_->state = game;
+    game_->last_command = last_command_;
+    game_->has_box = game.box_connected;
     game_heard_ = at;
   }
 
@@ -161,7 +164,7 @@ bool has_topic(const recording::Contents& contents, const std::string& topic) {
 
 }  // namespace
 
-Replay load_replay(const std::filesystem::path& file, const StationParameters& parameters) {
+Replay load_replay(const std::filesystem::path& file, StationParameters parameters) {
   const recording::McapReader reader(file);
   const recording::Contents& contents = reader.contents();
   Replay replay;
@@ -169,6 +172,7 @@ Replay load_replay(const std::filesystem::path& file, const StationParameters& p
   replay.damage = contents.damage;
   replay.date_minus_stamp =
       Duration{std::strtoll(fact(contents, "log_minus_host_ns").c_str(), nullptr, 10)};
+  parameters.is_recording = true;
   Projector projector(parameters, has_topic(contents, kEventTopic));
   const auto host_time = [&](std::int64_t log_ns) {
     return HostTime{Duration{log_ns} - replay.date_minus_stamp};

@@ -26,7 +26,6 @@ inline constexpr Duration kReplayStep = std::chrono::milliseconds(66);
 /// Runs a recording through a Station. Takes about a second per minute of a game.
 ///
 /// @throws recording::RecordingError if the file cannot be read or holds nothing to show
-[[nodiscard]] Replay load_replay(const std::filesystem::path& file,
-                                 const StationParameters& parameters);
+[[nodiscard]] Replay load_replay(const std::filesystem::path& file, StationParameters parameters);
 
 }  // namespace teamsight::monitor

@@ -56,7 +56,9 @@ std::string list_of(const std::vector<RobotId>& robots) {
 
 }  // namespace
 
-Station::Station(StationParameters parameters) : parameters_(std::move(parameters)) {}
+Station::Station(StationParameters parameters)
+    : parameters_(std::move(parameters)),
+      other_stations_(parameters_.other_station_gone_after) {}
 
 Station::Watch& Station::watch_of(RobotId robot) {
   return robots_.try_emplace(robot, parameters_.window).first->second;
@@ -252,10 +254,8 @@ void Station::hear(const bus::Sample<bus::Explanation>& sample) {
 }
 
 /// Nobody hears his own Diagnostics, so those of a station are another's.
-void Station::note_other_station(HostTime now) {
-  const HostTime before = std::exchange(other_station_heard_, now);
-  const bool is_known = before != HostTime{} && now - before < parameters_.other_station_gone_after;
-  if (is_known) return;
+void Station::note_other_station(std::uint32_t boot, HostTime now) {
+  if (!other_stations_.hear(boot, now)) return;
   note(now,
        Level::kWarning,
        "Another coach station is on " + parameters_.where +
@@ -265,7 +265,8 @@ void Station::note_other_station(HostTime now) {
 void Station::hear(const bus::Sample<bus::Diagnostics>& sample) {
   if (!sample.message) return;
   const bus::Diagnostics& diagnostics = *sample.message;
-  if (diagnostics.process == kStation) note_other_station(sample.received);
+  if (diagnostics.process == kStation && !parameters_.is_recording)
+    note_other_station(diagnostics.id.boot, sample.received);
   const auto known = processes_.find(diagnostics.process);
   if (known == processes_.end() && processes_.size() == kMaxProcesses) return;
   const bool was_healthy = known == processes_.end() || known->second.healthy;
@@ -327,6 +328,7 @@ Update Station::update(HostTime now) {
     if (!name.starts_with(kAgentPrefix)) update.processes.push_back(diagnostics);
   }
   for (const auto& [name, value] : rejected_) update.rejected.push_back({name, value});
+  update.other_stations = other_stations_.count(now);
   update.hint = hint_at(now);
   update.thumbnails = std::exchange(thumbnails_, {});
   update.events = std::exchange(events_, {});

@@ -15,6 +15,7 @@
 #include "geometry/time.hpp"
 #include "geometry/world_model.hpp"
 #include "monitor/link_meter.hpp"
+#include "monitor/other_stations.hpp"
 #include "monitor/update.hpp"
 
 namespace teamsight::monitor {
@@ -25,10 +26,11 @@ struct StationParameters {
   /// lease, so that a busy computer's hiccup shows in the table but does not fill the log.
   Duration silent_after{std::chrono::milliseconds(600)};
   Duration world_late_after{std::chrono::seconds(1)};  ///< a world older than this is no picture
-  Duration other_station_gone_after{std::chrono::seconds(5)};  ///< of one that says nothing
+  Duration other_station_gone_after{std::chrono::seconds(5)};  ///< one that says nothing so long
   Duration duplicate_for{std::chrono::seconds(2)};  ///< how long a shared robot id is remembered
   std::string
-      version;        ///< of this station; a robot that runs another is named. Empty: not compared
+      version;  ///< of this station; a robot that runs another is named. Empty: not compared
+  bool is_recording{false};  ///< what it hears is over: a station that speaks in it is no other
   std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
 };
 
@@ -106,7 +108,7 @@ class Station {
   void note_camera(RobotId robot, Watch& watch, bool is_lost, HostTime now);
   void note_version(RobotId robot, const Watch& watch, const bus::RobotState& state, HostTime now);
   [[nodiscard]] bool is_other_version(const bus::RobotState& state) const;
-  void note_other_station(HostTime now);
+  void note_other_station(std::uint32_t boot, HostTime now);
   void note_hint(const bus::ExplainedHint& hint, HostTime now);
   [[nodiscard]] std::optional<bus::ExplainedHint> hint_at(HostTime now) const;
   void note_quarantines(const WorldModel& world, HostTime now);
@@ -127,7 +129,7 @@ class Station {
   std::map<std::string, std::uint64_t, std::less<>> rejected_;
   std::vector<bus::Thumbnail> thumbnails_;
   std::string other_versions_;  ///< e.g. "v2"; empty: none
-  HostTime other_station_heard_;
+  OtherStations other_stations_;
   std::vector<Event> events_;
 };
 

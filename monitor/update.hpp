@@ -76,6 +76,8 @@ struct RefereeReport {
   bus::GameState state;
   std::string last_command;      ///< empty: none yet
   bool has_box{false};           ///< an address was given
+  bool tells_game{false};        ///< the robots hear the game from this station
+  bool follows_game{false};      ///< they hear it from another, which this one shows
   double world_state_rate{0.0};  ///< Hz, over the last second
   std::uint64_t world_states_skipped{0};
   std::uint64_t refused{0};  ///< messages that could not be read, or not be sent
@@ -104,6 +106,7 @@ struct Update {
   std::vector<bus::Counter> rejected;       ///< samples this station dropped, "Topic.reason"
   std::vector<bus::Thumbnail> thumbnails;   ///< since the update before
   std::optional<bus::ExplainedHint> hint;   ///< the ball hint that counts; nothing: none does
+  std::uint32_t other_stations{0};          ///< coach stations heard beside this one
   std::optional<WorldWithout> without;      ///< while asked for
   std::optional<RefereeReport> referee;
   std::optional<recording::RecorderReport> recorder;  ///< nothing: not recording

@@ -78,6 +78,8 @@ void fill(const RefereeReport& from, v1::RefereeReport& to) {
   to.set_world_state_hz(from.world_state_rate);
   to.set_world_states_skipped(from.world_states_skipped);
   to.set_refused(from.refused);
+  to.set_tells_game(from.tells_game);
+  to.set_follows_game(from.follows_game);
 }
 
 void fill(const recording::RecorderReport& from, v1::RecorderReport& to) {
@@ -136,6 +138,7 @@ void to_proto(const Update& from, v1::MonitorUpdate& to) {
     to.mutable_without()->set_robot_id(from.without->robot);
     to_proto(from.without->world, *to.mutable_without()->mutable_world());
   }
+  to.set_other_stations(from.other_stations);
   if (from.hint) to_proto(*from.hint, *to.mutable_hint());
   if (from.referee) fill(*from.referee, *to.mutable_referee());
   if (from.recorder) fill(*from.recorder, *to.mutable_recorder());

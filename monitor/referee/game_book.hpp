@@ -43,6 +43,9 @@ class GameBook {
   /// Whether the robots are to hear the game from this station: it has something to say.
   [[nodiscard]] bool speaks() const { return speaks_; }
 
+  /// Whether they hear it from another station, whose game this one shows.
+  [[nodiscard]] bool follows() const { return follows_; }
+
   /// Whether another station said lately that it is connected to the box.
   [[nodiscard]] bool other_has_box(HostTime now) const;
 

@@ -133,6 +133,8 @@ RefereeReport Referee::report(HostTime now) const {
   report.state = book_.state(now);
   report.last_command = book_.last_command();
   report.has_box = settings_.box.has_value();
+  report.tells_game = book_.speaks();
+  report.follows_game = book_.follows();
   report.refused = refused_;
   if (link_) report.world_states_skipped = link_->skipped();
   for (const HostTime at : sent_at_) {

@@ -26,9 +26,9 @@ export async function checkLayout(page) {
 
 /** The widest words that a place may have to show. */
 const WIDEST = {
-  "th:nth-child(2)": ["id used twice", "lost 59.9 s", "not itself"],
+  "th:nth-child(2)": ["id used twice", "lost 59.9 s", "not heard", "imported"],
   "th:nth-child(3)": ["100 %"],
-  "th:nth-child(4)": ["ambiguous ±100 cm"],
+  "th:nth-child(4)": ["ambiguous ±100 cm", "at −11.1, −8.2 m"],
   "th:nth-child(5)": ["100 %"],
   "th:nth-child(6)": ["sees it"],
   "th:nth-child(7)": ["duplicate id", "no posture", "kidnapped"],

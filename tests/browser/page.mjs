@@ -215,6 +215,26 @@ scenarios.types = async (page) => {
   await page.waitForSelector("#keys-dialog:not([open])", { ...BOUND, state: "attached" });
 };
 
+/** The test starts a second station at "alone" and ends it at "two". */
+scenarios.shares = async (page) => {
+  await waitForMark(page, "LIVE");
+  const noticeSays = (text) => page.waitForFunction((wanted) => document.getElementById("notice").textContent === wanted, text, BOUND);
+  await noticeSays("");
+  const places = await placesOf(page);
+  say({ alone: true });
+  await noticeSays("2 coach stations are here: the newest order counts, none tells the game yet");
+  await expectNoJump(page, places, "when another station comes");
+  await page.keyboard.press("4");
+  await page.click('[data-command="START"]');
+  await noticeSays("2 coach stations are here: the newest order counts, the game comes from this one");
+  const other = await page.context().newPage();
+  await other.goto(process.env.OTHER);
+  await other.waitForFunction(() => document.getElementById("notice").textContent === "2 coach stations are here: the newest order counts, the game comes from the other", undefined, BOUND);
+  await other.screenshot({ path: join(folder, "page-two-stations.png") });
+  say({ two: true });
+  await noticeSays("");
+};
+
 const logSays = (page, text) => page.waitForFunction((wanted) => document.getElementById("log").textContent.includes(wanted), text, BOUND);
 
 scenarios.scrubs = async (page) => {
@@ -273,6 +293,21 @@ scenarios.replays = async (page) => {
     BOUND,
   );
   await page.screenshot({ path: join(folder, "page-replay.png") });
+};
+
+/** A game that another program recorded: places, and nothing that nobody measured. */
+scenarios.imports = async (page) => {
+  await waitForMark(page, "REPLAY");
+  await page.waitForSelector('.robot[data-robot="2"]', BOUND);
+  await page.waitForFunction(() => document.getElementById("game").textContent === "our kick-off", undefined, BOUND);
+  expect((await page.textContent("#leader")) === "Imported", "a fusion is said to lead");
+  const row = await page.$$eval('tbody tr[data-robot="2"] td', (cells) => cells.map((one) => one.textContent));
+  expect(row[1] === "imported" && /^at [34]\.\d, −1\.0 m$/.test(row[3]) && row.slice(4).every((text) => text === "–"), `robot 2 is said to be ${row.join(", ")}`);
+  const drawn = await page.$$eval(".robot .spread, .obstacle .spread", (marks) => marks.filter((mark) => mark.getAttribute("visibility") === "visible").length);
+  expect(drawn === 0, "uncertainties are drawn that nobody measured");
+  expect((await page.$$(".trail")).length === 0 && (await page.textContent(".obstacle .label")) === "", "opponents are followed that have no ids");
+  await checkLayout(page);
+  await page.screenshot({ path: join(folder, "page-imported.png") });
 };
 
 /** The test puts the token into the address's fragment, which this scenario takes away first. */

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -37,8 +38,7 @@ class Page : public ::testing::Test {
 
   void read_addresses() {
     const std::string line = station_->out();
-    const auto begin = line.find("http://");
-    url_ = line.substr(begin, line.find('"', begin) - begin);
+    url_ = url_in(line);
     const auto token = line.find("#token=") + 7;
     token_ = line.substr(token, line.find('"', token) - token);
   }
@@ -57,9 +57,15 @@ class Page : public ::testing::Test {
         << station_->err();
   }
 
-  [[nodiscard]] std::string port() const {
-    const auto colon = url_.rfind(':');
-    return url_.substr(colon + 1, url_.size() - colon - 2);
+  /// The address in what a station says first.
+  static std::string url_in(const std::string& line) {
+    const auto begin = line.find("http://");
+    return line.substr(begin, line.find('"', begin) - begin);
+  }
+
+  static std::string port_in(const std::string& url) {
+    const auto colon = url.rfind(':');
+    return url.substr(colon + 1, url.size() - colon - 2);
   }
 
   void start_fake(const std::string& role, const std::string& robot) {
@@ -76,16 +82,20 @@ class Page : public ::testing::Test {
     start_fake("fusion", "3");
   }
 
-  /// @param fragment  of the address, e.g. "#token=..."
+  /// @param fragment     of the address, e.g. "#token=..."
+  /// @param environment  more of it
   [[nodiscard]] ChildProcess open(const std::string& scenario,
-                                  const std::string& fragment = {}) const {
+                                  const std::string& fragment = {},
+                                  ChildProcess::Environment environment = {}) const {
+    environment.emplace_back("PAGE_DIR", TEAMSIGHT_PAGE_DIR);
+    environment.emplace_back("TOKEN", token_);
     return ChildProcess({"/usr/bin/env",
                          "node",
                          test::source_path("tests/browser/page.mjs"),
                          scenario,
                          url_ + fragment,
                          TEAMSIGHT_ARTEFACTS},
-                        {{"PAGE_DIR", TEAMSIGHT_PAGE_DIR}, {"TOKEN", token_}});
+                        environment);
   }
 
   static bool says(const ChildProcess& browser, const std::string& word) {
@@ -121,6 +131,22 @@ TEST_F(Page, ExplainsEverythingByKeyboardAlone) {
   EXPECT_THAT(browser.out(), HasSubstr("reached"));
 }
 
+TEST_F(Page, SaysThatAnotherStationIsThereAndWhoseGameItIs) {
+  start_team();
+  const std::optional<ChildProcess> first = std::exchange(station_, std::nullopt);
+  start_station("0");
+  const std::string other = url_in(station_->out());
+  station_->end();
+  ChildProcess browser = open("shares", "#token=" + token_, {{"OTHER", other}});
+  ASSERT_TRUE(says(browser, "alone")) << browser.err();
+
+  start_station(port_in(other));
+  ASSERT_TRUE(says(browser, "two")) << browser.err();
+  station_->end();
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
 TEST_F(Page, FlipsTheFieldByKeyAndButton) {
   start_team();
 
@@ -153,7 +179,7 @@ TEST_F(Page, ComesBackAfterTheStationWasStartedAgain) {
 
   station_->end();
   ASSERT_TRUE(says(browser, "gone")) << browser.err();
-  start_station(port());
+  start_station(port_in(url_));
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
 }
@@ -194,7 +220,7 @@ TEST_F(Page, AsksForTheTokenWhenOthersCanReachIt) {
   station_->end();
   start_station("0", {"--bind", "0.0.0.0"});
   read_addresses();
-  url_ = "http://127.0.0.1:" + port() + "/";
+  url_ = "http://127.0.0.1:" + port_in(url_) + "/";
   start_team();
 
   ChildProcess browser = open("asks");
@@ -220,6 +246,41 @@ TEST_F(Page, ReplaysARecording) {
   read_addresses();
 
   ChildProcess browser = open("replays");
+
+  EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
+}
+
+/// Six seconds of one robot, an opponent and a kick-off, as the league's box records them.
+std::string worlds_of_a_game() {
+  std::string text = "[\n";
+  for (int i = 0; i < 60; ++i) {
+    text +=
+        "{\"timestamp\": " + std::to_string(1467553851000 + 100 * i) +
+        ", \"worldstate\": {\"teamName\": \"Us\", \"robots\": [{\"id\": 2, \"pose\": [1.0, " +
+        std::to_string(4.0 - 0.01 * i) +
+        ", 0.5]}], \"balls\": [], \"obstacles\": [{\"position\": [1, 1], \"radius\": 0.3}]}},\n";
+  }
+  return text;
+}
+
+TEST_F(Page, ShowsAnImportedGameForWhatItIs) {
+  const test::TempDirectory folder;
+  const std::string out = folder.path() / "game.mcap";
+  ChildProcess import({test::program("teamsight"),
+                       "log",
+                       "import",
+                       "--worlds",
+                       folder.write("game.A.msl", worlds_of_a_game()),
+                       "--events",
+                       folder.write("game.msl", "1467553852000,00:40(00:00),1st,K,CYAN Kickoff\n"),
+                       "--out",
+                       out});
+  ASSERT_EQ(import.wait_exit(kBound), 0) << import.err();
+  station_->end();
+  start_station("0", {"--replay", out});
+  read_addresses();
+
+  ChildProcess browser = open("imports");
 
   EXPECT_EQ(browser.wait_exit(kBound), 0) << browser.err();
 }

@@ -318,6 +318,20 @@ TEST(Station, SaysOnceThatAnotherStationIsThere) {
   EXPECT_EQ(station.update(kStart + seconds(60)).events.size(), 1U) << "it was gone";
 }
 
+TEST(Station, TakesAStationInARecordingForNoOther) {
+  StationParameters parameters;
+  parameters.is_recording = true;
+  Station station(parameters);
+  bus::Diagnostics recorded;
+  recorded.process = "monitor";
+  station.hear(sample_of(recorded, kStart, 1));
+
+  const Update update = station.update(kStart);
+
+  EXPECT_EQ(update.other_stations, 0U);
+  EXPECT_THAT(update.events, ElementsAre());
+}
+
 TEST(Station, ForgetsTheTruthOfAMatchThatEnded) {
   Station station({});
   bus::Truth truth;

@@ -3,7 +3,7 @@ import type { MonitorField, MonitorUpdate, MonitorField_Line } from "./generated
 import type { Truth } from "./generated/recording_pb";
 import type { Ellipse } from "./ellipse";
 import { Keyed, set, svg, write } from "./dom";
-import type { BallMark, ObstacleMark, RobotMark, Scene } from "./scene";
+import { type BallMark, isImported, type ObstacleMark, type RobotMark, type Scene } from "./scene";
 import { OpponentNumbers } from "./opponent_numbers";
 import { RawLayer, Trails } from "./raw_layer";
 import { UNITS, View } from "./view";
@@ -138,9 +138,10 @@ export class FieldView {
   draw(scene: Scene, update: MonitorUpdate, raw: "none" | "all" | number): void {
     if (raw === "none") this.raw.clear();
     else this.raw.draw(update, this.view, this.unitsPerPixel, raw === "all" ? undefined : raw);
-    this.trails.draw(update, this.view, this.unitsPerPixel);
+    const hasIds = !isImported(update);
+    if (hasIds) this.trails.draw(update, this.view, this.unitsPerPixel);
     this.drawTruth(update.truth);
-    this.drawObstacles(scene.obstacles, Number(update.stampNs) / 1e6);
+    this.drawObstacles(scene.obstacles, Number(update.stampNs) / 1e6, hasIds);
     this.drawLinks(scene);
     this.drawRobots(scene.robots);
     this.drawBalls(scene.balls, update.hint?.trackId ?? 0);
@@ -232,7 +233,8 @@ export class FieldView {
     this.balls.keepOnly(new Set(marks.map((mark) => String(mark.id))));
   }
 
-  private drawObstacles(marks: ObstacleMark[], nowMs: number): void {
+  /** @param hasIds  whether an id names the same one all the time */
+  private drawObstacles(marks: ObstacleMark[], nowMs: number, hasIds: boolean): void {
     this.numbers.show(marks.map((mark) => mark.id), nowMs);
     for (const mark of marks) {
       const symbol = this.obstacles.get(String(mark.id));
@@ -241,7 +243,7 @@ export class FieldView {
       set(symbol.root, { class: `obstacle ${mark.freshness}`, "data-track": mark.id, opacity: 0.3 + 0.7 * mark.existence });
       set(symbol.body, { x: -size, y: -size, width: 2 * size, height: 2 * size, rx: size * 0.45 });
       set(symbol.label, { "font-size": size * 1.35 });
-      write(symbol.label, String(this.numbers.of(mark.id)));
+      write(symbol.label, hasIds ? String(this.numbers.of(mark.id)) : "");
     }
     this.obstacles.keepOnly(new Set(marks.map((mark) => String(mark.id))));
   }

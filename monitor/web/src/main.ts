@@ -21,7 +21,7 @@ import { drawGame, makeRefereeButtons } from "./referee_view";
 import { Relocate } from "./relocate";
 import { RobotCard } from "./robot_card";
 import { Roving } from "./roving";
-import { markOf, sceneOf } from "./scene";
+import { markOf, noticeOf, sceneOf } from "./scene";
 import { BallCard, drawLead, EventLog, ProcessCard } from "./side_view";
 import { TableView } from "./table_view";
 import { TimelineView } from "./timeline_view";
@@ -94,6 +94,7 @@ function drawMark(update: MonitorUpdate | undefined, since: number): void {
   set(byId("mark"), { "data-state": state === "live" && !mark.live ? "none" : state, "data-why": MARK_WORDS[word] ?? "" });
   write(byId("mark"), word);
   write(byId("silence"), mark.reason);
+  write(byId("notice"), noticeOf(update));
   set(document.body, { class: state === "live" && mark.live ? "live" : `not-live ${state}` });
 }
 

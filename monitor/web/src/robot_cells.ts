@@ -20,7 +20,14 @@ export interface Column {
   numeric?: boolean;
   /** What it means. */
   why: string;
-  cell(row: RobotRow, mate: WorldTeammate | undefined, sinceUpdateMs: number): Cell;
+  cell(row: RobotRow, told: Told, sinceUpdateMs: number): Cell;
+}
+
+/** What the world model has of a robot. */
+export interface Told {
+  mate?: WorldTeammate | undefined;
+  /** Of a game that was imported: nobody has judged its robots, and none was heard. */
+  imported: boolean;
 }
 
 const cell = (text: string, tone: Cell["tone"] = "", why?: string): Cell => (why ? { text, tone, why } : { text, tone });
@@ -38,9 +45,10 @@ export function rowsOf(update: MonitorUpdate): RobotRow[] {
   return [...update.robots, ...rows].sort((a, b) => a.robotId - b.robotId);
 }
 
-export function linkCell(row: RobotRow, sinceUpdateMs: number): Cell {
+export function linkCell(row: RobotRow, sinceUpdateMs: number, imported = false): Cell {
   const ageMs = row.ageMs + sinceUpdateMs;
-  if (isToldOf(row)) return cell("not itself", "dim", "Known from the world model; the station has not heard it itself");
+  if (isToldOf(row) && imported) return cell("imported", "dim", "The game was imported: it holds where robots stood, and nothing that they said");
+  if (isToldOf(row)) return cell("not heard", "dim", "Known from the world model; the station has not heard it itself");
   if (row.duplicate) return cell("id used twice", "bad", "Two processes speak under this id");
   if (!row.alive) return cell(`lost ${ageMs < 60_000 ? `${(ageMs / 1000).toFixed(1)} s` : format.age(ageMs)}`, "bad", "It fell silent so long ago");
   const tones = { fresh: "good", late: "warn", lost: "bad" } as const;
@@ -63,6 +71,13 @@ export function postureCell(row: RobotRow): Cell {
   return report.status === PostureStatus.POSTURE_OK
     ? cell(`ok ${sigma}`, "good", fit)
     : cell(`ambiguous ${sigma}`, "warn", `It may stand elsewhere as well; ${fit}`);
+}
+
+/** Where the world model has a robot that was not heard itself. */
+export function placeCell(mate: WorldTeammate | undefined): Cell {
+  if (!mate?.posture || mate.status === PostureStatus.POSTURE_LOST) return DASH;
+  const { xM, yM } = mate.posture;
+  return cell(`at ${format.signed(xM)}, ${format.signed(yM)} m`, "dim", "Where the world model has it");
 }
 
 export function halfCell(row: RobotRow): Cell {
@@ -162,12 +177,12 @@ function versionCell(row: RobotRow): Cell {
 /** What decides a game first, then what explains it. */
 export const COLUMNS: Column[] = [
   { head: "Robot", width: 3.3, decides: true, why: "Its number; Enter or a click shows it close up", cell: (row) => cell(String(row.robotId)) },
-  { head: "Heard", width: 7.1, decides: true, why: "How long ago the newest word of it came", cell: (row, _mate, since) => linkCell(row, since) },
+  { head: "Heard", width: 7.1, decides: true, why: "How long ago the newest word of it came", cell: (row, told, since) => linkCell(row, since, told.imported) },
   { head: "Loss", width: 4.1, decides: true, numeric: true, why: "Share of its frames that never came, over the last seconds", cell: (row) => lossCell(row) },
-  { head: "Posture", width: 10.6, decides: true, why: "Whether it knows where it stands, and how well", cell: (row) => postureCell(row) },
+  { head: "Posture", width: 10.6, decides: true, why: "Whether it knows where it stands, and how well", cell: (row, told) => (isToldOf(row) ? placeCell(told.mate) : postureCell(row)) },
   { head: "Half", width: 4.1, decides: true, numeric: true, why: "Probability that it is not on the mirrored place, by its own evidence", cell: (row) => halfCell(row) },
   { head: "Ball", width: 3.8, decides: true, why: "Whether it sees or has the ball", cell: ballCell },
-  { head: "Trust", width: 6.25, decides: true, why: "How far the team believes what it sees, or why not", cell: (row, mate) => trustCell(row, mate) },
+  { head: "Trust", width: 6.25, decides: true, why: "How far the team believes what it sees, or why not", cell: (row, told) => (told.imported ? DASH : trustCell(row, told.mate)) },
   { head: "Not used", width: 7.2, why: "What the fusion did not use of it, most frequent reason first", cell: (row) => rejectedCell(row) },
   { head: "Latency ms", width: 6.2, numeric: true, why: "Exposure to arrival, half and 95 % of the frames", cell: latencyCell },
   { head: "Rate", width: 3.4, numeric: true, why: "Frames that arrived, over the last seconds", cell: (row) => (row.alive ? cell(`${row.rateHz.toFixed(0)} Hz`) : DASH) },

@@ -52,12 +52,19 @@ export interface Scene {
 }
 
 /**
+ * Whether this is of a game that another program recorded and no fusion made: places and speeds, without uncertainties,
+ * and obstacles whose ids mean nothing.
+ */
+export const isImported = (update: MonitorUpdate): boolean => update.world?.sample?.robotId === 0;
+
+/**
  * What to draw of an update.
  *
  * @param sinceUpdateMs  how long ago the page received it: everything in it is older by so much
  */
 export function sceneOf(update: MonitorUpdate, sinceUpdateMs: number): Scene {
   const worldAge = update.worldAgeMs + sinceUpdateMs;
+  const spread = isImported(update) ? () => undefined : ellipseOf;
   return {
     robots: robotMarks(update, sinceUpdateMs, worldAge),
     balls: (update.world?.balls ?? []).map((ball) => {
@@ -73,7 +80,7 @@ export function sceneOf(update: MonitorUpdate, sinceUpdateMs: number): Scene {
         vx,
         vy,
         speed: Math.hypot(vx, vy, ball.vMps?.z ?? 0),
-        ellipse: ellipseOf(xx, xy, yy),
+        ellipse: spread(xx, xy, yy),
         existence: ball.existence,
         ageMs,
         freshness: freshness(ageMs),
@@ -90,7 +97,7 @@ export function sceneOf(update: MonitorUpdate, sinceUpdateMs: number): Scene {
         vx: obstacle.vxMps,
         vy: obstacle.vyMps,
         radius: obstacle.radiusM,
-        ellipse: ellipseOf(xx, xy, yy),
+        ellipse: spread(xx, xy, yy),
         existence: obstacle.existence,
         freshness: freshness(obstacle.ageMs + worldAge),
       };
@@ -108,7 +115,7 @@ function robotMarks(update: MonitorUpdate, sinceUpdateMs: number, worldAge: numb
       x: mate.posture?.xM ?? 0,
       y: mate.posture?.yM ?? 0,
       theta: mate.posture?.thetaRad ?? 0,
-      ellipse: ellipseOf(xx, xy, yy),
+      ellipse: isImported(update) ? undefined : ellipseOf(xx, xy, yy),
       freshness: freshness(mate.ageMs + worldAge),
       fused: worldAge < 1000,
       lost: mate.status === PostureStatus.POSTURE_LOST,
@@ -146,6 +153,16 @@ function robotMarks(update: MonitorUpdate, sinceUpdateMs: number, worldAge: numb
 export interface Mark {
   live: boolean;
   reason: string;
+}
+
+/** What the operator should know as long as it is so; empty: nothing. */
+export function noticeOf(update: MonitorUpdate | undefined): string {
+  const others = update?.otherStations ?? 0;
+  if (others === 0) return "";
+  const referee = update?.referee;
+  const one = others === 1 ? "the other" : "another";
+  const game = referee?.followsGame ? `the game comes from ${one}` : referee?.tellsGame ? "the game comes from this one" : "none tells the game yet";
+  return `${others + 1} coach stations are here: the newest order counts, ${game}`;
 }
 
 export function markOf(update: MonitorUpdate | undefined, connected: boolean, sinceUpdateMs: number): Mark {

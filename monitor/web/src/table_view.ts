@@ -1,10 +1,10 @@
 // monitor/web/src/table_view.ts: one row per robot. Columns keep their width, rows their height.
 import type { MonitorUpdate, RobotRow } from "./generated/monitor_pb";
-import type { WorldTeammate } from "./generated/recording_pb";
 import { html, set, write } from "./dom";
 import * as format from "./format";
-import { COLUMNS, type Column, isToldOf, rowsOf } from "./robot_cells";
+import { COLUMNS, type Column, isToldOf, rowsOf, type Told } from "./robot_cells";
 import { Roving } from "./roving";
+import { isImported } from "./scene";
 
 function stateOf(row: RobotRow, since: number): string {
   if (isToldOf(row)) return "told";
@@ -52,9 +52,8 @@ export class TableView {
   }
 
   draw(update: MonitorUpdate, sinceUpdateMs: number, chosen: number): void {
-    // Nobody has judged the robots of a game that was imported.
-    const judged = update.world?.sample?.robotId ? update.world.teammates : [];
-    const mates = new Map(judged.map((mate) => [mate.robotId, mate]));
+    const mates = new Map(update.world?.teammates.map((mate) => [mate.robotId, mate]));
+    const imported = isImported(update);
     const rows = rowsOf(update);
     const count = Math.max(rows.length, LEAST_ROWS);
     while (this.body.rows.length < count) this.addRow();
@@ -62,7 +61,8 @@ export class TableView {
     for (let i = 0; i < count; ++i) {
       const line = this.body.rows[i];
       if (!line) continue;
-      this.fill(line, rows[i], mates, sinceUpdateMs);
+      const row = rows[i];
+      this.fill(line, row, { mate: row && mates.get(row.robotId), imported }, sinceUpdateMs);
       line.setAttribute("aria-selected", String(rows[i]?.robotId === chosen));
     }
     this.roving.keepStop();
@@ -77,14 +77,14 @@ export class TableView {
     }
   }
 
-  private fill(line: HTMLTableRowElement, row: RobotRow | undefined, mates: Map<number, WorldTeammate>, since: number): void {
+  private fill(line: HTMLTableRowElement, row: RobotRow | undefined, told: Told, since: number): void {
     const state = row ? stateOf(row, since) : "empty";
     set(line, { class: state, "data-robot": row?.robotId ?? 0 });
     COLUMNS.forEach((column, index) => {
       const place = line.cells[index];
       const words = place?.firstElementChild;
       if (!place || !words) return;
-      const content = row ? column.cell(row, mates.get(row.robotId), since) : undefined;
+      const content = row ? column.cell(row, told, since) : undefined;
       write(words, content?.text ?? "");
       set(words, { class: content?.tone ?? "" });
       set(place, { "data-why": content ? (content.why ?? column.why) : "" });

@@ -5,14 +5,14 @@ import { liveAddress, pauseBefore } from "../src/connection";
 import { ellipseOf } from "../src/ellipse";
 import * as format from "../src/format";
 import { MonitorUpdateSchema, RobotRowSchema } from "../src/generated/monitor_pb";
-import { PostureStatus } from "../src/generated/recording_pb";
+import { PostureStatus, WorldTeammateSchema } from "../src/generated/recording_pb";
 import { isTaken } from "../src/keys";
 import { OpponentNumbers } from "../src/opponent_numbers";
 import { difference, rayEnd, toField } from "../src/raw_layer";
 import { headingOf } from "../src/relocate";
 import { bitRate, commandText, courseText, gameText, isSecured, thriftText } from "../src/referee_view";
-import { markOf, sceneOf } from "../src/scene";
-import { cameraCell, halfCell, linkCell, loadCell, postureCell, rejectedCell, rejectedText, rowsOf, trustCell } from "../src/robot_cells";
+import { isImported, markOf, noticeOf, sceneOf } from "../src/scene";
+import { cameraCell, COLUMNS, halfCell, linkCell, loadCell, placeCell, postureCell, rejectedCell, rejectedText, rowsOf, trustCell } from "../src/robot_cells";
 import { leaderText } from "../src/side_view";
 import { View } from "../src/view";
 import { withoutText } from "../src/without_layer";
@@ -152,8 +152,27 @@ describe("robots that the station has not heard itself", () => {
     const rows = rowsOf(update);
 
     expect(rows.map((one) => one.robotId)).toEqual([2, 3]);
-    expect(rows.map((one) => linkCell(one, 0).text)).toEqual(["30 ms", "not itself"]);
+    expect(rows.map((one) => linkCell(one, 0).text)).toEqual(["30 ms", "not heard"]);
     expect(rowsOf(create(MonitorUpdateSchema, {}))).toEqual([]);
+  });
+
+  it("stand where the world model has them", () => {
+    const mate = create(WorldTeammateSchema, { robotId: 3, status: PostureStatus.POSTURE_OK, posture: { xM: -5.31, yM: 2 } });
+
+    expect(placeCell(mate).text).toBe("at −5.3, 2.0 m");
+    expect(placeCell(create(WorldTeammateSchema, { ...mate, status: PostureStatus.POSTURE_LOST })).text).toBe(format.UNKNOWN);
+    expect(placeCell(undefined).text).toBe(format.UNKNOWN);
+  });
+
+  it("are imported where no fusion made the world model", () => {
+    const told = (robotId: number) => create(MonitorUpdateSchema, { world: { sample: { robotId }, teammates: [{ robotId: 3, trust: 1 }] } });
+    const [mine] = rowsOf(told(0));
+
+    expect([told(0), told(2), create(MonitorUpdateSchema, {})].map(isImported)).toEqual([true, false, false]);
+    expect(linkCell(mine!, 0, true).text).toBe("imported");
+    const trust = COLUMNS.find((column) => column.head === "Trust")!;
+    expect(trust.cell(mine!, { mate: told(0).world?.teammates[0], imported: true }, 0).text).toBe(format.UNKNOWN);
+    expect(trust.cell(mine!, { mate: told(2).world?.teammates[0], imported: false }, 0).text).toBe("100 %");
   });
 
   it("are not said to have a fusion that leads", () => {
@@ -250,6 +269,18 @@ describe("keys", () => {
     expect(isTaken(" ", "BODY", "")).toBe(false);
     expect(isTaken(" ", "BUTTON", "button")).toBe(true);
     expect(isTaken("b", "BUTTON", "button")).toBe(false);
+  });
+});
+
+describe("several coach stations", () => {
+  const here = (otherStations: number, referee = {}) => noticeOf(create(MonitorUpdateSchema, { otherStations, referee }));
+
+  it("are said with whose game it is", () => {
+    expect(here(0)).toBe("");
+    expect(here(1, { followsGame: true })).toBe("2 coach stations are here: the newest order counts, the game comes from the other");
+    expect(here(1, { tellsGame: true })).toBe("2 coach stations are here: the newest order counts, the game comes from this one");
+    expect(here(2, { followsGame: true })).toBe("3 coach stations are here: the newest order counts, the game comes from another");
+    expect(here(1)).toBe("2 coach stations are here: the newest order counts, none tells the game yet");
   });
 });
 
