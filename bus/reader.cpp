@@ -2,7 +2,10 @@
 #include "bus/reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "bus/heard_writers.hpp"
@@ -79,6 +82,19 @@ class Matched {
   std::array<dds_instance_handle_t, HeardWriters::kMost> writers_{};
   std::size_t size_{0};
 };
+
+// In which order to hand a batch over. The library hands it out key by key; what one writer says to
+// all and to one must not change places, so that events go by when their writer wrote them.
+std::array<std::size_t, Loan::kBatch> order_of(const Loan& loan, Delivery delivery) {
+  std::array<std::size_t, Loan::kBatch> order{};
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (delivery != Delivery::kEvent) return order;
+  const std::span filled(order.data(), loan.size());
+  std::ranges::stable_sort(filled, {}, [&](std::size_t i) {
+    return std::pair(loan.info(i).publication_handle, loan.info(i).source_timestamp);
+  });
+  return order;
+}
 
 // What one writer counts apart: commands, by their target. Not the library's handle, which is
 // another one after joining anew; what was heard before must not be new then.
@@ -178,7 +194,9 @@ std::size_t Reader<Message>::take(HostTime now,
   for (bool more = true; more;) {
     const Loan loan(impl_->subscription.handle());
     more = loan.size() == Loan::kBatch;
-    for (std::size_t i = 0; i < loan.size(); ++i) {
+    const auto order = order_of(loan, impl_->subscription.profile().delivery);
+    for (std::size_t turn = 0; turn < loan.size(); ++turn) {
+      const std::size_t i = order.at(turn);
       const dds_sample_info_t& info = loan.info(i);
       Sample<Message> sample;
       // Leaving right after a write shows on the valid sample, without one of its own.

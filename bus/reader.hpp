@@ -49,7 +49,8 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
   ~Reader();
 
-  /// Calls `use` for each sample that has arrived since the last call, oldest first.
+  /// Calls `use` for each sample that has arrived since the last call: of each key the oldest
+  /// first, and events in the order in which their writer wrote them, up to 32 at a time.
   ///
   /// @param now  stamped on every sample
   /// @return how many samples were handed over

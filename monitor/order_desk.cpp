@@ -21,13 +21,16 @@ bool are_about_the_same(const bus::Command& a, const bus::Command& b) {
   return thing(a.kind) == thing(b.kind);
 }
 
-// Whether the newer one replaces the older: repeating both would have the robot go to and fro.
-bool replaces(const bus::Command& newer, const bus::Command& older) {
-  const bool reaches_it = newer.target == older.target || newer.target == kNobody;
-  return reaches_it && are_about_the_same(newer, older);
-}
-
 }  // namespace
+
+// Repeating both would have the robot go to and fro, or end with the older.
+void OrderDesk::replace_by(const bus::Command& newer) {
+  std::erase_if(pending_, [&](Pending& older) {
+    if (older.waits_for.empty() || !are_about_the_same(newer, older.command)) return false;
+    if (newer.target == kNobody || newer.target == older.command.target) return true;
+    return older.waits_for.erase(newer.target) > 0 && older.waits_for.empty();
+  });
+}
 
 OrderDesk::OrderDesk(std::uint32_t boot) : boot_(boot), next_command_(boot | 1U) {}
 
@@ -41,9 +44,7 @@ bus::Command OrderDesk::take(const RobotOrder& order,
   next_command_ = next_command_ + 1 == 0 ? 1 : next_command_ + 1;
   pending.text = order.text;
   pending.given = pending.written = now;
-  std::erase_if(pending_, [&](const Pending& older) {
-    return !older.waits_for.empty() && replaces(order.command, older.command);
-  });
+  replace_by(order.command);
   if (order.command.kind == bus::CommandKind::kBallHint) {
     pending.waits_for.insert(kNobody);
   } else if (order.command.target == kNobody) {
@@ -72,8 +73,13 @@ std::vector<bus::Command> OrderDesk::due(HostTime now) {
     const bool waits = !pending.waits_for.empty() && now - pending.given < kPatience;
     if (!waits || now - pending.written < kRepeat) continue;
     pending.written = now;
-    pending.command.id.sequence = ++sequence_;
-    commands.push_back(pending.command);
+    // One to all is repeated to each who owes an answer, as the others may have a newer one.
+    for (const RobotId robot : pending.waits_for) {
+      bus::Command command = pending.command;
+      command.id.sequence = ++sequence_;
+      if (robot != kNobody) command.target = robot;
+      commands.push_back(command);
+    }
   }
   return commands;
 }

@@ -52,6 +52,9 @@ class OrderDesk {
     std::set<RobotId> waits_for;  ///< kNobody: the leading fusion
   };
 
+  /// What the newer one is about is not asked again of those whom it reaches.
+  void replace_by(const bus::Command& newer);
+
   std::uint32_t boot_;
   std::uint32_t next_command_;
   std::uint32_t sequence_{0};

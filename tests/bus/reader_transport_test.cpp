@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <dds/dds.h>
 #include <gtest/gtest.h>
@@ -204,6 +205,33 @@ TEST(Writer, SendsNothingThatItsReadersWouldRefuse) {
   EXPECT_EQ(writer.counters().invalid, 1U);
   EXPECT_EQ(reader.counters().accepted, 1U);
   EXPECT_EQ(reader.counters().total_rejected(), 0U);
+}
+
+TEST(Reader, HandsEventsOverInTheOrderInWhichTheyWereWrittenWhateverTheirKeys) {
+  const DomainSettings domain = own_domain();
+  const Participant here = Participant::join(domain);
+  const Participant there = Participant::join(domain);
+  Writer<Command> writer(here);
+  Reader<Command> reader(there);
+  ASSERT_TRUE(wait_until([&] { return writer.live_readers() == 1; }, kPatience));
+  std::vector<std::uint32_t> written;
+  std::vector<std::uint32_t> heard;
+
+  for (std::uint32_t i = 1; i <= 12; ++i) {
+    Command command = full<Command>();
+    command.id.sequence = command.command = i;
+    command.target = static_cast<RobotId>((7 * i) % 4);
+    written.push_back(i);
+    ASSERT_EQ(writer.write(command), WriteStatus::kWritten);
+  }
+  take_until(
+      reader,
+      [&](const auto& sample) {
+        if (sample.message) heard.push_back(sample.message->command);
+      },
+      [&] { return heard.size() == written.size(); });
+
+  EXPECT_EQ(heard, written);
 }
 
 TEST(Writer, IsNotBlockedByAReliableReaderThatStandsStill) {

@@ -177,6 +177,34 @@ RobotOrder hint() {
   return order;
 }
 
+TEST(OrderDesk, RepeatsAnOrderToAllOnlyToThoseWhoHaveNoNewerOne) {
+  OrderDesk desk(7);
+  const bus::Command all = desk.take(mute(kNobody), {1, 2, 3}, kNow);
+  desk.hear(2, all.command);
+
+  const bus::Command one = desk.take(unmute(3), {1, 2, 3}, kNow + milliseconds(10));
+
+  const auto again = desk.due(kNow + milliseconds(400));
+  ASSERT_THAT(again, SizeIs(2));
+  EXPECT_EQ(again[0].command, all.command);
+  EXPECT_EQ(again[0].target, 1) << "robot 3 would be muted again";
+  EXPECT_EQ(again[1].command, one.command);
+  EXPECT_EQ(again[1].target, 3);
+}
+
+TEST(OrderDesk, DoesNotSayOfAnOrderThatWasReplacedThatItWasCarriedOut) {
+  OrderDesk desk(7);
+  const bus::Command all = desk.take(mute(kNobody), {3}, kNow);
+
+  const bus::Command one = desk.take(unmute(3), {3}, kNow + milliseconds(10));
+  desk.hear(3, one.command);
+
+  const auto reports = desk.report(kNow + seconds(1));
+  ASSERT_THAT(reports, SizeIs(1));
+  EXPECT_EQ(reports[0].command, one.command);
+  EXPECT_NE(reports[0].command, all.command);
+}
+
 TEST(OrderDesk, HasABallHintAcknowledgedByTheLeadingFusionNotByRobots) {
   OrderDesk desk(7);
   const bus::Command command = desk.take(hint(), {1, 3}, kNow);
