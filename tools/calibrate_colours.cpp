@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +32,7 @@ using vision::ColourClass;
 
 constexpr int kNo = 1;
 constexpr double kClickRadius = 2.0;  // px around a clicked pixel
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct ColourOptions {
   std::string base;
@@ -111,22 +114,13 @@ std::vector<Click> clicks_in(const std::string& path) {
   return clicks;
 }
 
-void add_pixels(const Click& click,
-                const vision::CameraParameters& camera,
-                std::vector<vision::LabelledColours>& labels) {
+vision::LabelledColours pixels_at(const Click& click, const vision::CameraParameters& camera) {
   const ImageFile frame = read_image(click.image, camera);
-  const auto pixels = vision::colours_around(frame.view(), click.place, click.radius_px);
+  auto pixels = vision::colours_around(frame.view(), click.place, click.radius_px);
   if (pixels.empty()) {
     throw std::runtime_error(click.image + ": found a sample beside the image, expected one in it");
   }
-  const auto same = std::find_if(labels.begin(), labels.end(), [&](const auto& label) {
-    return label.colour == click.colour;
-  });
-  if (same == labels.end()) {
-    labels.push_back({click.colour, pixels});
-  } else {
-    same->pixels.insert(same->pixels.end(), pixels.begin(), pixels.end());
-  }
+  return {click.colour, std::move(pixels)};
 }
 
 ordered_json report(const vision::ColourParameters& colours) {
@@ -139,6 +133,13 @@ ordered_json report(const vision::ColourParameters& colours) {
                                {"u", sample.u},
                                {"v", sample.v},
                                {"radius", sample.radius}});
+  }
+  line["hues"] = ordered_json::array();
+  for (const vision::HueSector& sector : colours.sectors) {
+    line["hues"].push_back({{"class", name_of(sector.colour)},
+                            {"from_deg", std::round(sector.from / kDegree)},
+                            {"to_deg", std::round(sector.to / kDegree)},
+                            {"min_chroma", sector.min_chroma}});
   }
   return line;
 }
@@ -175,7 +176,7 @@ int calibrate_colours(const ColourOptions& options) {
         "found neither --sample, --labels nor --balance, expected one of them");
   }
   std::vector<vision::LabelledColours> labels;
-  for (const Click& click : clicks) add_pixels(click, camera, labels);
+  for (const Click& click : clicks) labels.push_back(pixels_at(click, camera));
   const auto colours = vision::colours_from(camera.colours, labels);
   if (!colours) {
     const vision::ColourConflict& conflict = colours.error();

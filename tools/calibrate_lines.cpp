@@ -14,6 +14,7 @@
 #include "tools/calibration_report.hpp"
 #include "tools/line_views.hpp"
 #include "tools/output_folder.hpp"
+#include "tools/progress_line.hpp"
 #include "vision/calibration/line_calibration.hpp"
 
 namespace teamsight::tools {
@@ -48,8 +49,9 @@ int calibrate_lines(const LineOptions& options) {
   rules.bundle.max_distance = camera.scan.max_distance;
   rules.reach = options.reach_m;
   rules.max_ground_sigma = options.max_ground_sigma_m;
-  const LineViews views(options.views, camera, field);
+  LineViews views(options.views, camera, field);
   const auto result = vision::calibrate_lines(vision::LineMap(field), camera, views, rules);
+  ProgressLine().clear();
   for (std::size_t i = 0; i < result.views.size(); ++i) {
     std::cout << view_report(options.views[i], result.views[i]).dump() << '\n';
   }

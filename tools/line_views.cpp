@@ -90,14 +90,18 @@ LineViews::LineViews(std::vector<std::string> files,
 }
 
 std::vector<std::vector<vision::Pixel>> LineViews::operator()(
-    const vision::CameraParameters& camera) const {
+    const vision::CameraParameters& camera) {
   Viewer viewer(camera, field_);
   const vision::CameraModel model(camera);
   std::vector<std::vector<vision::Pixel>> views = lists_;
+  const std::string look = "look " + std::to_string(++looks_) + ": ";
+  const std::string count = std::to_string(files_.size());
   for (std::size_t i = 0; i < files_.size(); ++i) {
+    progress_.say(look + "lines in view " + std::to_string(i + 1) + " of " + count);
     if (is_list(files_[i])) continue;
     views[i] = paint_middles(*viewer.look(files_[i], {}).seen, model);
   }
+  progress_.say(look + "fitting the camera and the places of " + count + " views");
   return views;
 }
 

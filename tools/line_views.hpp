@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/field_model.hpp"
+#include "tools/progress_line.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/camera_parameters.hpp"
 #include "vision/perception.hpp"
@@ -25,16 +26,19 @@ class LineViews {
             const vision::CameraParameters& camera,
             const FieldModel& field);
 
-  /// Reads the pictures and looks for lines through this camera.
+  /// Reads the pictures and looks for lines through this camera. Says on the terminal how far it
+  /// is.
   ///
   /// @throws std::runtime_error naming the file: it cannot be read or is no frame of this camera
   [[nodiscard]] std::vector<std::vector<vision::Pixel>> operator()(
-      const vision::CameraParameters& camera) const;
+      const vision::CameraParameters& camera);
 
  private:
   std::vector<std::string> files_;
   FieldModel field_;
   std::vector<std::vector<vision::Pixel>> lists_;  // of each file; empty: a picture
+  ProgressLine progress_;
+  int looks_{0};
 };
 
 /// The pixels of the paint's middle on the floor, as a frame's line points have it; that of the

@@ -21,6 +21,7 @@ constexpr std::array kWidths{0.3, 0.2, 0.12, 0.08, 0.05, 0.0};  // m, of the ker
 constexpr double kLastWidth = 0.02;                             // m, or 3 sigma
 constexpr int kStepsPerWidth = 4;
 constexpr int kLastSteps = 12;
+constexpr double kRing = 10.0;          // px, of the pixels that share an error
 constexpr double kGate = 0.25;          // m: farther points say nothing about the scale
 constexpr double kMadToSigma = 1.4826;  // of a normal distribution
 constexpr double kSmallStep = 1e-3;     // sigma of the priors, for all knobs together
@@ -72,6 +73,8 @@ class Adjustment {
   bool look(const State& state, bool with_slopes);
   [[nodiscard]] double cost(const State& state, double width) const;
   [[nodiscard]] Normals normals(const State& state, double width) const;
+  [[nodiscard]] double weight_of(const FloorMiss& miss, double width) const;
+  [[nodiscard]] Eigen::MatrixXd shared(const State& state, const Normals& normals) const;
   [[nodiscard]] State step(const Normals& normals, double damping) const;
   void measure_scale(const State& state);
   [[nodiscard]] double correlation(const State& state) const;
@@ -131,6 +134,11 @@ double Adjustment::cost(const State& state, double width) const {
   return sum;
 }
 
+double Adjustment::weight_of(const FloorMiss& miss, double width) const {
+  const double u = miss.distance / width_of(miss, width, scale_);
+  return 1.0 / (std::pow(1.0 + u * u, 2) * miss.var * scale_ * scale_);
+}
+
 Normals Adjustment::normals(const State& state, double width) const {
   const Eigen::Index size = prior_info_.size();
   Normals result;
@@ -142,8 +150,7 @@ Normals Adjustment::normals(const State& state, double width) const {
     Eigen::MatrixXd cross = Eigen::MatrixXd::Zero(size, 3);
     for (const FloorLook& seen : looks_[v]) {
       const FloorMiss miss = miss_of(map_, state.X_FR[v], seen, rules_.sigma_px);
-      const double u = miss.distance / width_of(miss, width, scale_);
-      const double weight = 1.0 / (std::pow(1.0 + u * u, 2) * miss.var * scale_ * scale_);
+      const double weight = weight_of(miss, width);
       posture += weight * miss.by_posture * miss.by_posture.transpose();
       gradient += weight * miss.distance * miss.by_posture;
       cross += weight * miss.by_knob * miss.by_posture.transpose();
@@ -159,6 +166,29 @@ Normals Adjustment::normals(const State& state, double width) const {
     result.cross.push_back(std::move(cross));
   }
   return result;
+}
+
+// What moving all pixels of one ring outwards together does to the gradient, for every ring.
+Eigen::MatrixXd Adjustment::shared(const State& state, const Normals& normals) const {
+  const Pixel middle = CameraModel(*turned(camera_, knobs_, state.turn)).centre();
+  const Eigen::Vector2d centre{middle.u, middle.v};
+  const auto rings =
+      static_cast<Eigen::Index>(std::hypot(camera_.width_px, camera_.height_px) / kRing + 1.0);
+  Eigen::MatrixXd by_knob = Eigen::MatrixXd::Zero(prior_info_.size(), rings);
+  for (std::size_t v = 0; v < views_.size(); ++v) {
+    Eigen::MatrixXd by_posture = Eigen::MatrixXd::Zero(3, rings);
+    for (const FloorLook& seen : looks_[v]) {
+      const FloorMiss miss = miss_of(map_, state.X_FR[v], seen, rules_.sigma_px);
+      const Eigen::Vector2d out = Eigen::Vector2d{seen.pixel.u, seen.pixel.v} - centre;
+      const double radius = std::max(out.norm(), 1.0);
+      const auto ring = std::min(static_cast<Eigen::Index>(radius / kRing), rings - 1);
+      const double push = weight_of(miss, 0.0) * miss.by_pixel.dot(out) / radius;
+      by_knob.col(ring) += push * miss.by_knob;
+      by_posture.col(ring) += push * miss.by_posture;
+    }
+    by_knob -= normals.cross[v] * (normals.posture_cov[v] * by_posture);
+  }
+  return rules_.shared_px * rules_.shared_px * by_knob * by_knob.transpose();
 }
 
 State Adjustment::step(const Normals& normals, double damping) const {
@@ -248,7 +278,9 @@ Bundle Adjustment::run() {
     bundle.scale = scale_;
     bundle.cost = cost(state_, 0.0);
     bundle.correlation = correlation(state_);
-    bundle.info = normals(state_, 0.0).info / bundle.correlation;
+    const Normals last = normals(state_, 0.0);
+    bundle.info = last.info / bundle.correlation;
+    bundle.shared = shared(state_, last);
   }
   bundle.views = std::move(views_);
   return bundle;

@@ -22,7 +22,7 @@ struct SampledColour {
   std::uint8_t v{128};
 };
 
-/// Pixels that somebody says show this class; kWhite and kBlack are allowed.
+/// Pixels of one place that somebody says show this class; kWhite and kBlack are allowed.
 struct LabelledColours {
   ColourClass colour{ColourClass::kNone};
   std::vector<SampledColour> pixels;
@@ -44,14 +44,20 @@ struct ColourConflict {
 
 /// Makes the classes of a camera from labelled pixels.
 ///
-/// Each class that was labelled gets one disc: the median chroma, as wide as nine tenths of its
-/// pixels scatter and a half more; classes that were not labelled keep their samples. White and
-/// black set the luminance borders, half way to the carpet's. Where samples of two classes
-/// overlap, the nearer one counts; nearer than the scatter they cannot be told apart.
+/// Every place counts alike, however many pixels it has: a near ball says no more than a far one.
+/// Each class that was labelled gets one sector of hues: nine tenths of its pixels and 15 degrees
+/// on either side, as pale as half of its palest tenth; where two of them meet, the border is half
+/// way. A class that is mostly grey gets a disc: the median chroma, as wide as nine tenths of its
+/// pixels scatter and a half more. Classes that were not labelled stay, asked after the labelled
+/// ones, and their discs leave out what was labelled. White and black set the luminance borders,
+/// half way to the carpet's. Two classes whose medians are nearer than the noise cannot be told
+/// apart.
 ///
+/// @param places  several of a class are welcome
+/// @pre none is empty
 /// @return the classes, or the first two that look the same
 [[nodiscard]] Result<ColourParameters, ColourConflict> colours_from(
-    const ColourParameters& before, const std::vector<LabelledColours>& labels);
+    const ColourParameters& before, const std::vector<LabelledColours>& places);
 
 /// The two colours every field has.
 struct FieldColours {

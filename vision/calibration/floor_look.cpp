@@ -30,6 +30,7 @@ std::optional<FloorLook> FloorLooker::look(const Pixel& pixel) const {
   const auto per_px = model_.floor_jacobian(pixel);
   if (!floor || !per_px) return std::nullopt;
   FloorLook seen;
+  seen.pixel = pixel;
   seen.p_R = floor->vector();
   seen.per_px = *per_px;
   seen.per_knob.resize(2, static_cast<Eigen::Index>(neighbours_.size()));
@@ -57,7 +58,8 @@ FloorMiss miss_of(const LineMap& map,
   miss.distance = nearest.distance;
   miss.by_posture = {n.x(), n.y(), n.dot(Eigen::Vector2d(-p_RL_F.y(), p_RL_F.x()))};
   miss.by_knob = seen.per_knob.transpose() * n_R;
-  miss.var = kLeastVar + sigma_px * sigma_px * (seen.per_px.transpose() * n_R).squaredNorm();
+  miss.by_pixel = seen.per_px.transpose() * n_R;
+  miss.var = kLeastVar + sigma_px * sigma_px * miss.by_pixel.squaredNorm();
   return miss;
 }
 

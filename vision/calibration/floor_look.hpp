@@ -21,6 +21,7 @@ using KnobSlopes = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMaxCameraKnob
 
 /// Where a pixel meets the floor, in R, and what moves it.
 struct FloorLook {
+  Pixel pixel;
   Eigen::Vector2d p_R;
   Eigen::Matrix2d per_px;  ///< d p_R / d (u, v)
   KnobSlopes per_knob;     ///< d p_R / d knobs; no columns if not asked for
@@ -55,6 +56,7 @@ class FloorLooker {
 struct FloorMiss {
   double distance{0.0};        ///< signed; m
   double var{1.0};             ///< of the pixel, across the paint; m^2
+  Eigen::Vector2d by_pixel;    ///< d distance / d (u, v)
   Eigen::Vector3d by_posture;  ///< d distance / d (x, y, theta)
   KnobVector by_knob;          ///< d distance / d knobs
 };

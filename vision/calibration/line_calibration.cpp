@@ -218,14 +218,25 @@ double median_px(const LineCalibration& result) {
   return *middle;
 }
 
-void Calibrator::judge(const Bundle& bundle, LineCalibration& result) const {
-  Eigen::MatrixXd info = bundle.info;
-  for (std::size_t k = 0; k < priors_.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    info(i, i) += 1.0 / (priors_[k].sigma * priors_[k].sigma);
+// Of the knobs: from the pixels' scatter, and from what they share.
+Eigen::MatrixXd covariance_of(const Bundle& bundle, std::span<const KnobPrior> priors) {
+  Eigen::VectorXd prior_info(static_cast<Eigen::Index>(priors.size()));
+  for (std::size_t k = 0; k < priors.size(); ++k) {
+    prior_info[static_cast<Eigen::Index>(k)] = 1.0 / (priors[k].sigma * priors[k].sigma);
   }
-  const Eigen::MatrixXd cov =
-      info.ldlt().solve(Eigen::MatrixXd::Identity(info.rows(), info.cols()));
+  const auto inverse = [](const Eigen::MatrixXd& info) -> Eigen::MatrixXd {
+    return info.ldlt().solve(Eigen::MatrixXd::Identity(info.rows(), info.cols()));
+  };
+  Eigen::MatrixXd info = bundle.info;
+  info.diagonal() += prior_info;
+  Eigen::MatrixXd fitted = bundle.correlation * bundle.info;  // as the fit itself weighs
+  fitted.diagonal() += prior_info;
+  const Eigen::MatrixXd spread = inverse(fitted);
+  return inverse(info) + spread * bundle.shared * spread;
+}
+
+void Calibrator::judge(const Bundle& bundle, LineCalibration& result) const {
+  const Eigen::MatrixXd cov = covariance_of(bundle, priors_);
   for (std::size_t k = 0; k < priors_.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.knobs.push_back({priors_[k], bundle.turn[i], std::sqrt(cov(i, i))});

@@ -152,12 +152,56 @@ TEST(ColourSamples, ReplacesWhatWasLabelledAndKeepsTheRest) {
                                      label(ColourClass::kBall, {140, 60, 200})});
 
   ASSERT_TRUE(colours);
-  ASSERT_EQ(colours->samples.size(), 3U);
+  ASSERT_EQ(colours->samples.size(), 1U);
   EXPECT_EQ(colours->samples[0], (ColourSample{ColourClass::kCyan, 163, 51, 30}));
-  EXPECT_EQ(colours->samples[1].colour, ColourClass::kGreen);
-  EXPECT_EQ(colours->samples[1].u, 110);
-  EXPECT_EQ(colours->samples[2].v, 200);
+  ASSERT_EQ(colours->sectors.size(), 2U);
+  EXPECT_EQ(colours->sectors[0].colour, ColourClass::kGreen);
+  EXPECT_EQ(colours->sectors[1].colour, ColourClass::kBall);
   EXPECT_NEAR(colours->white_min_y, 140, 4);
+}
+
+TEST(ColourSamples, KnowABallAgainInTheShadeAndInBrightLight) {
+  const auto colours = colours_from({}, {label(ColourClass::kBall, {140, 80, 176})});
+
+  ASSERT_TRUE(colours);
+  const ColourClasses classes(*colours);
+  EXPECT_EQ(classes.of(Chroma{104, 152}), ColourClass::kBall) << "half as vivid";
+  EXPECT_EQ(classes.of(Chroma{56, 200}), ColourClass::kBall) << "half as vivid again";
+  EXPECT_EQ(classes.of(Chroma{124, 132}), ColourClass::kNone) << "grey";
+  EXPECT_EQ(classes.of(Chroma{128, 200}), ColourClass::kNone) << "red: 45 degrees off";
+}
+
+TEST(ColourSamples, PartColoursWhoseMarginsMeetHalfWayBetweenThem) {
+  const LabelledColours red{ColourClass::kRed, {{90, 128, 178}}};
+  const LabelledColours orange{ColourClass::kBall, {{140, 103, 171}}};  // 30 degrees on
+
+  const auto colours = colours_from({}, {orange, red});
+
+  ASSERT_TRUE(colours);
+  const ColourClasses classes(*colours);
+  EXPECT_EQ(classes.of(Chroma{118, 176}), ColourClass::kRed);   // 102 degrees
+  EXPECT_EQ(classes.of(Chroma{113, 175}), ColourClass::kBall);  // 108 degrees
+}
+
+TEST(ColourSamples, HaveADiscOfAnotherClassLeaveOutWhatWasLabelled) {
+  ColourParameters before = green_only();
+  before.samples = {{ColourClass::kRed, 110, 180, 40}};
+
+  const auto colours = colours_from(before, {label(ColourClass::kBall, {140, 90, 176})});
+
+  ASSERT_TRUE(colours);
+  const ColourClasses classes(*colours);
+  EXPECT_EQ(classes.of(Chroma{90, 176}), ColourClass::kBall);
+  EXPECT_EQ(classes.of(Chroma{110, 180}), ColourClass::kRed);
+}
+
+TEST(ColourSamples, MakeADiscOfAGreyBall) {
+  const auto colours = colours_from({}, {label(ColourClass::kBall, {220, 128, 128})});
+
+  ASSERT_TRUE(colours);
+  EXPECT_TRUE(colours->sectors.empty());
+  ASSERT_EQ(colours->samples.size(), 1U);
+  EXPECT_EQ(ColourClasses(*colours).of(Chroma{127, 129}), ColourClass::kBall);
 }
 
 TEST(ColourSamples, RefusesClassesThatLookTheSame) {
