@@ -64,6 +64,7 @@ const scenarios = {
     await page.click('tbody tr[data-robot="2"] td:nth-child(4)');
     await page.waitForFunction(() => document.getElementById("why").textContent.includes("line points fit"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-told.png") });
+    await page.keyboard.press("Escape");
     await page.keyboard.press("1");
     expect(log.includes("Robot 2 joined") && log.includes("leads"), `the log says: ${log}`);
     for (const [width, height] of [[1280, 800], [1920, 1080]]) {
@@ -128,6 +129,11 @@ const scenarios = {
     await page.waitForFunction(() => document.getElementById("silence").textContent.includes("somebody speaks v9 of the topics, which this station does not hear"), undefined, BOUND);
     await page.waitForFunction(() => document.getElementById("log").textContent.includes("Somebody here speaks v9"), undefined, BOUND);
     await page.screenshot({ path: join(folder, "page-other-version.png") });
+    for (const theme of ["dark", "light"]) {
+      await page.waitForFunction((wanted) => document.documentElement.dataset.theme === wanted, theme, BOUND);
+      await checkContrast(page);
+      await page.keyboard.press("d");
+    }
   },
 };
 
@@ -345,8 +351,12 @@ scenarios.looks = async (page) => {
   await page.screenshot({ path: join(folder, "page-plots.png") });
   await page.keyboard.press("d");
   await page.keyboard.press("4");
-  await page.click('[data-command="KICKOFF"]');
+  await page.click('.ours[data-command="KICKOFF"]');
   await page.waitForFunction(() => document.getElementById("game").textContent === "our kick-off", undefined, BOUND);
+  for (const tab of ["1", "2", "3", "4"]) {
+    await page.keyboard.press(tab);
+    await checkContrast(page);
+  }
   await page.screenshot({ path: join(folder, "page-light.png") });
 };
 

@@ -39,6 +39,7 @@ export class Explainer {
     set(this.bubble, { role: "tooltip", id: "why", "aria-live": "polite" });
     this.bubble.hidden = true;
     root.addEventListener("pointerover", (event) => this.point(event.pointerType === "mouse" ? event.target : null));
+    root.addEventListener("pointerdown", () => this.point(null)); // what is under it is what counts now
     root.addEventListener("focusin", (event) => this.focus(event.target));
     root.addEventListener("focusout", () => this.focus(null));
     // Before the page's keys: the first Escape takes only the words away.

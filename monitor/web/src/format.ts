@@ -45,6 +45,11 @@ export function metres(value: number): string {
   return `${value.toFixed(2)} m`;
 }
 
+/** "1 ball", "2 balls". */
+export function many(count: number, one: string): string {
+  return `${count} ${one}${count === 1 ? "" : "s"}`;
+}
+
 /** A coordinate to a tenth, with a minus as wide as a plus. */
 export function signed(value: number): string {
   return value.toFixed(1).replace("-", "\u2212");

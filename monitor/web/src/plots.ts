@@ -6,7 +6,12 @@ import { html } from "./dom";
 
 const LONGEST_S = 120;
 const STEP_MS = 100;
+/** Of a plot and of the letters on its axes. */
+const HEIGHT_REM = 8;
+const LETTERS_REM = 0.7;
 const FIRST = ["world.balls.0.vMps.x", "robots.0.latencyP50Ms"];
+
+const pixels = (rem: number): number => Math.round(rem * Number.parseFloat(getComputedStyle(document.documentElement).fontSize));
 
 /** Every number by its path, e.g. "robots.2.state.batteryV"; bytes and stamps are left out. */
 export function numbersIn(value: unknown, prefix = "", out = new Map<string, number>()): Map<string, number> {
@@ -66,15 +71,15 @@ export class Plots {
     holder.dataset["path"] = path;
     const style = getComputedStyle(document.documentElement);
     const colour = (name: string): string => style.getPropertyValue(name).trim();
-    const axis = { stroke: () => colour("--dim"), grid: { stroke: () => colour("--edge"), width: 1 }, ticks: { stroke: () => colour("--edge") }, font: "12px sans-serif" };
+    const axis = { stroke: () => colour("--dim"), grid: { stroke: () => colour("--edge"), width: 1 }, ticks: { stroke: () => colour("--edge") }, font: `${pixels(LETTERS_REM)}px ${getComputedStyle(document.body).fontFamily}` };
     const chart = new uPlot(
       {
         width: Math.max(this.area.clientWidth, 280),
-        height: 130,
+        height: pixels(HEIGHT_REM),
         title: path,
         legend: { show: false },
         scales: { x: { time: false } },
-        axes: [{ ...axis, size: 26 }, { ...axis, size: 52 }],
+        axes: [{ ...axis, size: pixels(1.6) }, { ...axis, size: pixels(3.2) }],
         series: [{}, { stroke: () => colour("--own"), width: 2, spanGaps: false }],
       },
       [[], []],
@@ -115,7 +120,8 @@ export class Plots {
     const ago = this.times.map((time) => time - last);
     for (const plot of this.plots) {
       const width = Math.max(this.area.clientWidth, 280);
-      if (plot.chart.width !== width) plot.chart.setSize({ width, height: 130 });
+      const height = pixels(HEIGHT_REM);
+      if (plot.chart.width !== width || plot.chart.height !== height) plot.chart.setSize({ width, height });
       plot.chart.setData([ago, plot.values]);
     }
     const paths = numbersIn(update);

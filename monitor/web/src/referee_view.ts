@@ -111,12 +111,11 @@ const BUTTONS: [string, string, boolean][] = [
   ["END_GAME", "End", false],
 ];
 
-/** Two halves of a button where it matters whose it is. */
+/** Two columns; where it matters whose it is, ours is on the left and theirs on the right. */
 export function makeRefereeButtons(root: HTMLElement, orders: Orders): void {
   for (const [command, text, hasSide] of BUTTONS) {
-    const cell = html("div", "referee-cell", root);
     const add = (label: string, side: number, tone: string): void => {
-      const button = html("button", `tool ${tone}`, cell, label);
+      const button = html("button", `tool ${tone}`, root, label);
       button.type = "button";
       button.dataset["command"] = command;
       button.addEventListener("click", () => orders.give({ case: "referee", value: { command, side } }));
@@ -124,7 +123,7 @@ export function makeRefereeButtons(root: HTMLElement, orders: Orders): void {
     if (!hasSide) add(text, 0, command === "STOP" ? "stop" : "");
     else {
       add(`${text} us`, 1, "ours");
-      add("them", 2, "theirs");
+      add(`${text} them`, 2, "theirs");
     }
   }
 }

@@ -116,7 +116,7 @@ export class RobotCard {
     this.list([
       ["Its ball against the team's", metres(aside.ball)],
       ["Its place against the team's", metres(aside.posture)],
-      ["Sees", seen ? `${seen.balls.length} ball rays, ${seen.obstacles.length} obstacles, ${seen.posture?.linePoints ?? 0} line points` : format.UNKNOWN],
+      ["Sees", seen ? `${format.many(seen.balls.length, "ball")}, ${format.many(seen.obstacles.length, "obstacle")}, ${format.many(seen.posture?.linePoints ?? 0, "line point")}` : format.UNKNOWN],
       ["Trusted", `${format.percent(trust)}${why ? `, in quarantine: ${why}` : ""}`],
       ["Not used of it", rejectedText(row)],
       ["Without it", update.without?.robotId === this.robot ? withoutText(update) : format.UNKNOWN],

@@ -272,6 +272,13 @@ describe("keys", () => {
   });
 });
 
+describe("numbers", () => {
+  it("are counted in words and signed as wide", () => {
+    expect([0, 1, 2].map((count) => format.many(count, "ball"))).toEqual(["0 balls", "1 ball", "2 balls"]);
+    expect([-1.25, 3].map(format.signed)).toEqual(["−1.3", "3.0"]);
+  });
+});
+
 describe("several coach stations", () => {
   const here = (otherStations: number, referee = {}) => noticeOf(create(MonitorUpdateSchema, { otherStations, referee }));
 
