@@ -19,6 +19,8 @@ export function stepFrom(at: { line: number; item: number }, key: string, counts
 
 /** Things that take focus by arrow keys, line by line; Tab enters where it was left. Items have a tabindex from the start. */
 export class Roving {
+  private stop: HTMLElement | undefined;
+
   /**
    * @param lines  selects the lines in `root`; "" makes one line of `root`
    * @param items  selects the items in a line
@@ -39,8 +41,7 @@ export class Roving {
 
   /** Tab finds an item, whatever came and went. */
   keepStop(): void {
-    const stop = this.root.querySelector<HTMLElement>('[tabindex="0"]');
-    const isThere = this.grid().some((line) => line.includes(stop!));
+    const isThere = this.stop?.isConnected && (this.lines === "" || this.stop.closest(this.lines) !== null);
     if (!isThere) this.stopAt(this.grid()[0]?.[0] ?? null);
   }
 
@@ -61,7 +62,8 @@ export class Roving {
 
   private stopAt(item: HTMLElement | null): void {
     if (!item) return;
-    for (const old of this.root.querySelectorAll<HTMLElement>('[tabindex="0"]')) if (old.matches(this.items)) old.tabIndex = -1;
+    if (this.stop) this.stop.tabIndex = -1;
+    this.stop = item;
     item.tabIndex = 0;
   }
 }
