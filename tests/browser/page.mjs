@@ -8,6 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { checkContrast, checkLayout, checkLetters, checkWidest } from "./eyes.mjs";
 import { explanation, walkEverywhere } from "./hands.mjs";
+import { goThroughTime } from "./replays.mjs";
 
 const { chromium } = createRequire(join(process.env.PAGE_DIR, "package.json"))("playwright-core");
 const [scenario, url, folder] = process.argv.slice(2);
@@ -305,7 +306,7 @@ scenarios.replays = async (page) => {
 scenarios.imports = async (page) => {
   await waitForMark(page, "REPLAY");
   await page.waitForSelector('.robot[data-robot="2"]', BOUND);
-  await page.waitForFunction(() => document.getElementById("game").textContent === "our kick-off", undefined, BOUND);
+  await goThroughTime(page);
   expect((await page.textContent("#leader")) === "Imported", "a fusion is said to lead");
   const row = await page.$$eval('tbody tr[data-robot="2"] td', (cells) => cells.map((one) => one.textContent));
   expect(row[1] === "imported" && /^at [34]\.\d, −1\.0 m$/.test(row[3]) && row.slice(4).every((text) => text === "–"), `robot 2 is said to be ${row.join(", ")}`);

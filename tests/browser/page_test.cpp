@@ -272,7 +272,11 @@ TEST_F(Page, ShowsAnImportedGameForWhatItIs) {
                        "--worlds",
                        folder.write("game.A.msl", worlds_of_a_game()),
                        "--events",
-                       folder.write("game.msl", "1467553852000,00:40(00:00),1st,K,CYAN Kickoff\n"),
+                       folder.write("game.msl",
+                                    "1467553851500,00:40(00:00),1st,K,CYAN Kickoff\n"
+                                    "1467553852000,00:40(00:01),1st,s,START\n"
+                                    "1467553852500,00:40(00:01),1st,S,STOP\n"
+                                    "1467553856000,00:40(00:02),1st,s,START\n"),
                        "--out",
                        out});
   ASSERT_EQ(import.wait_exit(kBound), 0) << import.err();

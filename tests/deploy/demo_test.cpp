@@ -47,14 +47,8 @@ std::vector<pid_t> processes_using(const fs::path& folder) {
 // One demo with two robots, on programs that are built already.
 class Demo {
  public:
-  Demo()
-      : process_({source_path("deploy/demo").string(),
-                  "--robots",
-                  "2",
-                  "--rate",
-                  "5",
-                  "--bin",
-                  program("teamsight-agent").parent_path().string()}) {}
+  // @param more  arguments
+  explicit Demo(const std::vector<std::string>& more = {}) : process_(command(more)) {}
 
   // Waits until it says that the team is playing.
   [[nodiscard]] bool plays() {
@@ -72,6 +66,18 @@ class Demo {
   [[nodiscard]] std::string all_said() const { return process_.out() + process_.err(); }
 
  private:
+  static std::vector<std::string> command(const std::vector<std::string>& more) {
+    std::vector<std::string> argv{source_path("deploy/demo").string(),
+                                  "--robots",
+                                  "2",
+                                  "--rate",
+                                  "5",
+                                  "--bin",
+                                  program("teamsight-agent").parent_path().string()};
+    argv.insert(argv.end(), more.begin(), more.end());
+    return argv;
+  }
+
   [[nodiscard]] bool said(const std::string& pattern) const {
     return std::regex_search(process_.out(), std::regex(pattern));
   }
@@ -101,6 +107,19 @@ TEST(Demo, EndsEveryProcessOnCtrlC) {
   EXPECT_THAT(processes_using(folder), testing::IsEmpty());
   EXPECT_FALSE(fs::exists(folder));
   EXPECT_THAT(demo.all_said(), testing::Not(testing::HasSubstr("was killed")));
+}
+
+TEST(Demo, PlaysBeforeARefereeBoxThatHearsOfItsWorld) {
+  Demo demo({"--referee"});
+  ASSERT_TRUE(demo.plays()) << demo.all_said();
+  const fs::path log = demo.folder() / "box.log";
+
+  EXPECT_TRUE(wait_until([&] { return file_text(log).find("\"worldstate\"") != std::string::npos; },
+                         kStart))
+      << file_text(log);
+
+  demo.process().kill(SIGINT);
+  EXPECT_EQ(demo.process().wait_exit(kEnd), 0) << demo.all_said();
 }
 
 TEST(Demo, SaysWhichProcessEndedAndEndsTheOthers) {

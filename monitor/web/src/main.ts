@@ -62,10 +62,14 @@ const table = new TableView(byId("robots"), (robot) => robotCard.select(robot), 
 const bar = new Roving(byId("bar"), "", "[data-why]");
 const explainer = new Explainer(document.body);
 makeKeyList(byId("keys-dialog"));
-// Who clicks goes on with the page's keys, in which a button has no part.
+// Who clicks goes on with the page's keys, in which a button or a box to tick has no part.
 document.addEventListener("click", (event) => {
-  const button = event.detail > 0 && event.target instanceof Element ? event.target.closest("button") : null;
-  button?.blur();
+  if (event.detail === 0) return; // by keyboard
+  // A box is given the focus after the click on its label.
+  setTimeout(() => {
+    const one = document.activeElement;
+    if (one instanceof HTMLElement && one.matches('button, [type="checkbox"]') && !one.closest("dialog")) one.blur();
+  });
 });
 const plots = new Plots(byId("plots"));
 makeRefereeButtons(byId("referee"), orders);
