@@ -141,6 +141,14 @@ const scenarios = {
 /** The test's robots have been told to move; "done" of the page and of the robot are both looked at. */
 scenarios.relocates = async (page) => {
   await waitForMark(page, "LIVE");
+  await page.click('tbody tr[data-robot="3"]');
+  await page.keyboard.press("r");
+  await page.keyboard.press("Home");
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 9; ++i) await page.keyboard.press("Shift+ArrowLeft");
+  await page.screenshot({ path: join(folder, "page-aim.png") });
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".action.done")?.textContent.includes("relocate robot 3"), undefined, BOUND);
   await page.click('tbody tr[data-robot="2"]');
   await page.click("#relocate");
   const box = await (await page.$("svg.pitch")).boundingBox();
@@ -150,8 +158,8 @@ scenarios.relocates = async (page) => {
   await page.mouse.move(x, y - 60, { steps: 4 });
   await page.screenshot({ path: join(folder, "page-relocate.png") });
   await page.mouse.up();
-  await page.waitForSelector(".action.done", BOUND);
-  say({ relocated: await page.textContent(".action.done") });
+  const done = await page.waitForFunction(() => [...document.querySelectorAll(".action.done")].find((one) => one.textContent.includes("relocate robot 2"))?.textContent, undefined, BOUND);
+  say({ relocated: await done.jsonValue() });
   await page.click("#mute");
   await page.waitForFunction(() => document.querySelector('tbody tr[data-robot="2"]').textContent.includes("muted"), undefined, BOUND);
   await page.click("#unmute");

@@ -195,6 +195,9 @@ TEST_F(Page, RelocatesARobotByDragAndSaysWhatTheRobotsAnswer) {
   // Dragged upwards on the screen: it looks to the left, along y.
   EXPECT_THAT(fakes_.at(1).out(), HasSubstr("\"command\": 1, "));
   EXPECT_THAT(fakes_.at(1).out(), HasSubstr("\"theta_rad\": 1.571"));
+  // By keys: from the centre mark a metre to the right, then turned to the left.
+  EXPECT_THAT(fakes_.at(2).out(),
+              HasSubstr("\"command\": 1, \"x_m\": 1.000, \"y_m\": 0.000, \"theta_rad\": 1.571"));
 }
 
 TEST_F(Page, HintsAtTheBallByAClickWhichTheLeadingFusionAnswers) {

@@ -116,6 +116,10 @@ export class FieldView {
     if (this.field) this.setField(this.field);
   }
 
+  get isFlipped(): boolean {
+    return this.view.flipped;
+  }
+
   /** A point of the screen in F, metres. */
   toField(clientX: number, clientY: number): { x: number; y: number } {
     const matrix = this.root.getScreenCTM();

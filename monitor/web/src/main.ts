@@ -21,7 +21,7 @@ import { drawGame, makeRefereeButtons } from "./referee_view";
 import { Relocate } from "./relocate";
 import { RobotCard } from "./robot_card";
 import { Roving } from "./roving";
-import { markOf, noticeOf, sceneOf } from "./scene";
+import { markOf, noticeOf, type Scene, sceneOf } from "./scene";
 import { BallCard, drawLead, EventLog, ProcessCard } from "./side_view";
 import { TableView } from "./table_view";
 import { TimelineView } from "./timeline_view";
@@ -41,6 +41,7 @@ const ball = new BallCard(byId("ball"));
 const processes = new ProcessCard(byId("processes"));
 const log = new EventLog(byId("log"));
 
+let scene: Scene | undefined;
 let newest: MonitorUpdate | undefined;
 let receivedAt = 0;
 let connected = false;
@@ -110,7 +111,7 @@ function draw(): void {
   timeline.draw(player.timeAt(now));
   if (player.mode === "replay") planDrawing();
   if (!update) return;
-  const scene = sceneOf(update, since);
+  scene = sceneOf(update, since);
   field.draw(scene, update, raw === "chosen" ? robotCard.robot : raw);
   table.draw(update, since, robotCard.robot);
   ball.draw(scene, update.hint);
@@ -160,12 +161,12 @@ function toggleTheme(): void {
 
 function startRelocating(robot: number): void {
   ballHint.stop();
-  relocate.start(robot);
+  relocate.start(robot, scene?.robots.find((one) => one.id === robot));
 }
 
 function startHinting(): void {
   relocate.stop();
-  ballHint.start();
+  ballHint.start(scene?.balls[0]);
 }
 
 function putToolsAway(): void {

@@ -1,4 +1,5 @@
-// monitor/web/src/relocate.ts: dragging a robot's posture on the field.
+// monitor/web/src/relocate.ts: dragging a robot's posture on the field, or putting it there by keys.
+import { Aim, AIM_WORDS, type Aimed } from "./aim";
 import { byId, set, write } from "./dom";
 import type { FieldView } from "./field_view";
 import type { Orders } from "./orders";
@@ -7,11 +8,13 @@ import type { Orders } from "./orders";
 export class Relocate {
   private robot: number | undefined;
   private from: { x: number; y: number } | undefined;
+  private readonly aim: Aim;
 
   constructor(
-    private readonly field: FieldView,
+    field: FieldView,
     private readonly orders: Orders,
   ) {
+    this.aim = new Aim(field, (at) => this.give(at));
     const area = byId("field");
     area.addEventListener("pointerdown", (event) => {
       if (this.robot === undefined) return;
@@ -25,25 +28,32 @@ export class Relocate {
     area.addEventListener("pointerup", (event) => {
       if (!this.from || this.robot === undefined) return;
       const to = field.toField(event.clientX, event.clientY);
-      const value = { robotId: this.robot, xM: this.from.x, yM: this.from.y, thetaRad: headingOf(this.from, to) };
-      this.stop();
-      this.orders.give({ case: "relocate", value });
+      this.give({ ...this.from, theta: headingOf(this.from, to) });
     });
   }
 
-  start(robot: number): void {
+  private give(at: Aimed): void {
+    if (this.robot === undefined) return;
+    const value = { robotId: this.robot, xM: at.x, yM: at.y, thetaRad: Math.atan2(Math.sin(at.theta), Math.cos(at.theta)) };
+    this.stop();
+    this.orders.give({ case: "relocate", value });
+  }
+
+  /** @param at  where it is taken to stand now; undefined: nobody knows */
+  start(robot: number, at: Aimed | undefined): void {
     if (!this.orders.token) {
       this.orders.ask();
       return;
     }
     this.robot = robot;
-    write(byId("hint"), `Robot ${robot}: press where it stands, drag to where it looks. Esc gives up.`);
+    this.aim.start(at);
+    write(byId("hint"), `Robot ${robot}: press where it stands, drag to where it looks. ${AIM_WORDS}; Shift turns. Esc gives up.`);
     set(byId("field"), { "data-tool": "relocate" });
   }
 
   stop(): void {
     this.robot = this.from = undefined;
-    this.field.ghost(undefined, undefined);
+    this.aim.stop();
     write(byId("hint"), "");
     set(byId("field"), { "data-tool": "" });
   }

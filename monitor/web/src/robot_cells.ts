@@ -127,7 +127,7 @@ export function rejectedCell(row: RobotRow): Cell {
   if (!row.explained) return DASH;
   const [first, ...more] = rejectedBy(row.explained);
   if (!first) return cell("0", "dim");
-  return cell(`${format.count(first.count)} ${first.name}${more.length > 0 ? " +" : ""}`, "", `The fusion did not use ${rejectedText(row)}`);
+  return cell(`${format.count(first.count)} ${first.name}${more.length > 0 ? " +" : ""}`, "", `Not used of it: ${rejectedText(row)}`);
 }
 
 /** All of it in words. */

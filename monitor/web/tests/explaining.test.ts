@@ -1,5 +1,6 @@
 // monitor/web/tests/explaining.test.ts: the page by keyboard alone, and where its words stand.
 import { describe, expect, it } from "vitest";
+import { aimed } from "../src/aim";
 import { bubblePlace } from "../src/explainer";
 import { stepFrom } from "../src/roving";
 
@@ -21,6 +22,26 @@ describe("arrow keys", () => {
 
   it("are no others", () => {
     expect(stepFrom({ line: 0, item: 1 }, "x", counts)).toEqual({ line: 0, item: 1 });
+  });
+});
+
+describe("a place by keys", () => {
+  const at = { x: 1, y: 2, theta: 0 };
+
+  it("goes as the screen shows it", () => {
+    expect(aimed(at, "ArrowRight", false, false)).toEqual({ x: 1.25, y: 2, theta: 0 });
+    expect(aimed(at, "ArrowUp", false, false)).toEqual({ x: 1, y: 2.25, theta: 0 });
+    expect(aimed(at, "ArrowRight", false, true)).toEqual({ x: 0.75, y: 2, theta: 0 });
+  });
+
+  it("is turned with Shift, counter-clockwise to the left", () => {
+    expect(aimed(at, "ArrowLeft", true, false)?.theta).toBeCloseTo(Math.PI / 18);
+    expect(aimed(at, "ArrowRight", true, true)?.theta).toBeCloseTo(-Math.PI / 18);
+  });
+
+  it("begins anew at the centre mark and knows no other keys", () => {
+    expect(aimed(at, "Home", false, false)).toEqual({ x: 0, y: 0, theta: 0 });
+    expect(aimed(at, "x", false, false)).toBeUndefined();
   });
 });
 
