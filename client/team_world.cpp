@@ -13,6 +13,7 @@ namespace teamsight {
 namespace {
 
 constexpr Duration kHearingPeriod = std::chrono::milliseconds(500);
+constexpr Duration kGameKept = std::chrono::seconds(3);  // told once a second
 
 process::DomainOptions domain_options(const TeamWorldOptions& options) {
   return {options.team_domain, options.host_tag};
@@ -34,6 +35,7 @@ struct TeamWorld::Impl {
             settings.team, domain_options(options), host_tag(settings, options)))),
         leader_worlds(team),
         own_worlds(host),
+        games(team),
         choice({}),
         hearing(team) {
     hearing.watch(leader_worlds);
@@ -44,6 +46,9 @@ struct TeamWorld::Impl {
   bus::Participant host;
   bus::Reader<WorldModel> leader_worlds;
   bus::Reader<WorldModel> own_worlds;
+  bus::Reader<bus::GameState> games;
+  std::optional<bus::GameState> game;
+  HostTime game_heard;
   WorldChoice choice;
   process::Hearing hearing;
   HostTime listened;  // when `hearing` last looked
@@ -69,6 +74,17 @@ World TeamWorld::freshest() {
     impl_->hearing.look(now);
   }
   return impl_->choice.freshest(now);
+}
+
+std::optional<bus::GameState> TeamWorld::game() {
+  const HostTime now = bus::host_now();
+  impl_->games.take(now, [&](const bus::Sample<bus::GameState>& sample) {
+    if (!sample.message) return;
+    impl_->game = *sample.message;
+    impl_->game_heard = now;
+  });
+  if (now - impl_->game_heard > kGameKept) impl_->game.reset();
+  return impl_->game;
 }
 
 RobotId TeamWorld::robot() const noexcept {

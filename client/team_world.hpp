@@ -1,4 +1,5 @@
-// client/team_world.hpp: the freshest world in one call, for behaviour programs.
+// client/team_world.hpp: the freshest world, and the game's state, in one call each; for behaviour
+// programs.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "bus/messages.hpp"
 #include "client/world.hpp"
 
 namespace teamsight {
@@ -39,6 +41,12 @@ class TeamWorld {
   /// Takes what has come since the last call, and does not wait for more. If the leader lives and
   /// is not heard (somebody forges its packets), it joins the bus anew, which may take 10 ms.
   [[nodiscard]] World freshest();
+
+  /// What the referee last said, as the coach station tells it, once a second and on every change.
+  ///
+  /// Nothing if no station has told anything for three seconds: whoever plays on then does so
+  /// without a referee. Takes what has come since the last call, and does not wait for more.
+  [[nodiscard]] std::optional<bus::GameState> game();
 
   /// The robot of the robot file.
   [[nodiscard]] RobotId robot() const noexcept;

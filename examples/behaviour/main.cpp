@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -42,7 +43,9 @@ const char* name_of(teamsight::Source source) {
   return "none";
 }
 
-nlohmann::json decision_of(const teamsight::World& world, teamsight::RobotId me) {
+nlohmann::json decision_of(const teamsight::World& world,
+                           const std::optional<teamsight::bus::GameState>& game,
+                           teamsight::RobotId me) {
   nlohmann::json json{{"source", name_of(world.source)},
                       {"maker", nullptr},
                       {"age_ms", nullptr},
@@ -50,7 +53,9 @@ nlohmann::json decision_of(const teamsight::World& world, teamsight::RobotId me)
                       {"ball_y_m", nullptr},
                       {"attacker", nullptr},
                       {"time_to_ball_s", nullptr},
-                      {"i_go", false}};
+                      {"i_go", false},
+                      {"running", nullptr}};
+  if (game) json["running"] = game->running;
   if (world.source == teamsight::Source::kNone) return json;
   json["maker"] = world.model.id.robot;
   json["age_ms"] = 1e3 * teamsight::to_seconds(world.age);
@@ -72,7 +77,7 @@ void decide(const CommandLine& line) {
   for (int made = 0; line.decisions == 0 || made < line.decisions; ++made) {
     next += std::chrono::milliseconds(line.period_ms);
     std::this_thread::sleep_until(next);
-    std::cout << decision_of(team.freshest(), team.robot()) << std::endl;
+    std::cout << decision_of(team.freshest(), team.game(), team.robot()) << std::endl;
   }
 }
 

@@ -13,7 +13,10 @@ int main(int argc, char** argv) {
     options.team_domain = static_cast<unsigned>(std::atoi(argv[2]));
     teamsight::TeamWorld team(argv[1], options);
     const teamsight::World world = team.freshest();
-    std::printf("source %d balls %zu\n", static_cast<int>(world.source), world.model.balls.size());
+    std::printf("source %d balls %zu game %s\n",
+                static_cast<int>(world.source),
+                world.model.balls.size(),
+                team.game() ? "known" : "unknown");
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
