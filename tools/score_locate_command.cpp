@@ -179,7 +179,7 @@ int score_locate(const ScoreLocateOptions& options) {
     }
     if (name == "hardware") print(locate_score::run_hardware(cases, {}));
     if (name == "faults") {
-      for (const CaseResult& result : locate_score::run_faults(cases)) print(result);
+      for (const CaseResult& result : locate_score::run_faults(cases, {})) print(result);
     }
     if (name == "drive") print(locate_score::run_drives(cases));
     if (name == "paper") score_paper(options, cases);

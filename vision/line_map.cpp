@@ -11,20 +11,61 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kCell = 0.05;   // m; half a line's width
-constexpr double kMargin = 1.5;  // m around the carpet: points of a wrong candidate fall there
+constexpr double kCell = 0.05;    // m; half a line's width
+constexpr double kMargin = 1.5;   // m around the carpet: points of a wrong candidate fall there
+constexpr double kOnFoot = 0.02;  // m, of a line's end from the foot that it marks
+
+/// Where something upright stands on the floor; m in F.
+struct Foot {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+};
+
+bool stands_on(const Eigen::Vector2d& p_F, const Foot& foot) {
+  const Eigen::Vector2d way = foot.to - foot.from;
+  const double share = (p_F - foot.from).dot(way) / std::max(way.squaredNorm(), 1e-12);
+  return (foot.from + std::clamp(share, 0.0, 1.0) * way - p_F).norm() < kOnFoot;
+}
+
+// The feet of walls and of the sides of goals.
+std::vector<Foot> feet_of(const FieldModel& field) {
+  std::vector<Foot> feet;
+  for (const Wall& wall : field.walls) feet.push_back({wall.from.vector(), wall.to.vector()});
+  for (const Goal& goal : field.goals) {
+    const Eigen::Vector2d left = goal.left_post.vector();
+    const Eigen::Vector2d right = goal.right_post.vector();
+    const Eigen::Vector2d across = (left - right).normalized();
+    // Seen from the field, what is behind the mouth lies a quarter turn clockwise from its left.
+    const Eigen::Vector2d back = goal.depth * Eigen::Vector2d(across.y(), -across.x());
+    feet.push_back({left, left + back});
+    feet.push_back({right, right + back});
+  }
+  return feet;
+}
+
+// The field without the lines that only mark such feet, unless nothing else would be left.
+FieldModel painted_part(const FieldModel& field) {
+  const std::vector<Foot> feet = feet_of(field);
+  FieldModel painted = field;
+  std::erase_if(painted.lines, [&](const FieldLine& line) {
+    return std::ranges::any_of(feet, [&](const Foot& foot) {
+      return stands_on(line.from.vector(), foot) && stands_on(line.to.vector(), foot);
+    });
+  });
+  return painted.lines.empty() && painted.arcs.empty() ? field : painted;
+}
 
 }  // namespace
 
-LineMap::LineMap(const FieldModel& field) : field_(field) {
+LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part(field)) {
   TEAMSIGHT_EXPECT(!field.lines.empty() || !field.arcs.empty());
   const Eigen::Vector2d half{0.5 * field.length + field.surround + kMargin,
                              0.5 * field.width + field.surround + kMargin};
-  for (const FieldLine& line : field.lines) {
+  for (const FieldLine& line : painted_.lines) {
     const Eigen::Vector2d along = line.to.vector() - line.from.vector();
     paint_.push_back({line.from.vector(), along.normalized(), along.norm(), true, false});
   }
-  for (const FieldArc& arc : field.arcs) {
+  for (const FieldArc& arc : painted_.arcs) {
     const bool is_circle = arc.sweep >= 2.0 * std::numbers::pi - 1e-9;
     paint_.push_back({arc.centre.vector(), Eigen::Vector2d::UnitX(), arc.radius, false, is_circle});
   }
@@ -36,7 +77,7 @@ LineMap::LineMap(const FieldModel& field) : field_(field) {
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const Eigen::Vector2d middle = corner_F_ + kCell * Eigen::Vector2d(column + 0.5, row + 0.5);
-      const auto nearest = nearest_line(field_, Point<Field>::from(middle));
+      const auto nearest = nearest_line(painted_, Point<Field>::from(middle));
       primitive_.push_back(nearest ? nearest->primitive : std::uint16_t{0});
     }
   }
@@ -71,7 +112,7 @@ NearestLine LineMap::nearest(const Eigen::Vector2d& p_F) const {
     result.distance = range - paint.length;
     return result;
   }
-  return line_at(field_, primitive, Point<Field>::from(p_F));
+  return line_at(painted_, primitive, Point<Field>::from(p_F));
 }
 
 }  // namespace teamsight::vision

@@ -15,7 +15,9 @@ namespace teamsight::vision {
 /// A field with a grid over its carpet that knows the nearest line or arc of each cell.
 ///
 /// The grid only names the primitive; residuals are exact distances to that primitive, so nothing
-/// is rounded to cells.
+/// is rounded to cells. Lines of the field file along the foot of a wall or the side of a goal are
+/// left out: there carpet ends at something white, which is no line with carpet on both sides, so
+/// no line point ever lies there.
 class LineMap {
  public:
   /// Makes the grid: some milliseconds.
@@ -41,6 +43,7 @@ class LineMap {
   [[nodiscard]] std::size_t cell_of(const Eigen::Vector2d& p_F) const;
 
   FieldModel field_;
+  FieldModel painted_;  // of field_, what line points can lie on; primitives count in here
   std::vector<Paint> paint_;
   Eigen::Vector2d corner_F_;  // of the first cell
   int columns_{0};

@@ -16,6 +16,9 @@ constexpr double kWidest = 1.6;      // of the paint's width: crossed at 50 degr
 constexpr double kNarrowest = 0.45;  // of the paint's width
 constexpr double kCalibrationSigma = 0.25;  // px; what the camera model may be wrong by
 constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
+// m; what paint is no ideal line by, where it ends, bends or joins. However near, a point is not
+// surer, or one that belongs to another line outvotes a whole far one.
+constexpr double kPaintSigma = 0.008;
 
 using Profile = std::span<const float>;
 using Line = std::span<const ScanSample>;
@@ -162,6 +165,7 @@ std::optional<LinePoint> point_of(Line line, const Bump& bump, const LineRules& 
   // Two edges of a blurred step in noise: sigma_I / C * sqrt(2 sqrt(pi) blur) / sqrt(2).
   const double noise = 1.3 * kGreySigma / static_cast<double>(bump.contrast);
   point.cov_R = spread(line[i], point.p_R.vector(), std::hypot(noise, kCalibrationSigma));
+  point.cov_R.diagonal().array() += kPaintSigma * kPaintSigma;
   return point;
 }
 

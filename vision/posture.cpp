@@ -69,9 +69,12 @@ double half_log_odds_from_side(const Pose<Field, Robot>& X_FR,
   return std::clamp(odds, -kMaxHalfLogOdds, kMaxHalfLogOdds);
 }
 
-PostureEstimator::PostureEstimator(const FieldModel& field, const HeadTilt& tilt)
+PostureEstimator::PostureEstimator(const FieldModel& field,
+                                   const HeadTilt& tilt,
+                                   const SharedError& shared)
     : map_(field),
       tilt_(tilt),
+      shared_(shared),
       symmetric_(is_half_turn_symmetric(field)),
       search_(map_, symmetric_) {}
 
@@ -107,7 +110,7 @@ PostureResult PostureEstimator::estimate(std::span<const LinePoint> points,
           ? half_log_odds_from_prior(best.X_FR, prior, centre)
           : half_log_odds_from_side(best.X_FR, std::sqrt(best.cov(0, 0)), prior.start_side, centre);
   estimate.X_FR = best.X_FR;
-  estimate.cov = best.cov;
+  estimate.cov = best.cov + shared_part(best, shared_);
   result.scale = best.scale;
   result.tilt = best.tilt;
   if (!symmetric_) {

@@ -49,8 +49,11 @@ inline constexpr double kMaxHalfLogOdds = 5.0;
 /// independent. Buffers are the only state. Thread rule: one thread per object.
 class PostureEstimator {
  public:
-  /// @param tilt  how far the head may lean in any frame
-  explicit PostureEstimator(const FieldModel& field, const HeadTilt& tilt = {});
+  /// @param tilt    how far the head may lean in any frame
+  /// @param shared  what the camera file may be wrong by; in every estimate's covariance
+  explicit PostureEstimator(const FieldModel& field,
+                            const HeadTilt& tilt = {},
+                            const SharedError& shared = {});
 
   /// @param points line points in the order in which they were found (neighbours next to each
   ///               other: their correlation is measured from that)
@@ -62,6 +65,7 @@ class PostureEstimator {
  private:
   LineMap map_;
   HeadTilt tilt_;
+  SharedError shared_;
   bool symmetric_;
   PostureFitter fitter_;
   PostureSearch search_;

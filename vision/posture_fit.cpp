@@ -50,11 +50,34 @@ std::size_t sector_of(const Point<Robot>& p_R) {
   return std::min(static_cast<std::size_t>(turn * kSectors), kSectors - 1);
 }
 
+// What a point is displaced by, in R, when the picture errs by one claimed sigma in each of six
+// ways: aside along two axes, larger, out of round along two axes, turned.
+Eigen::Matrix<double, 2, 6> shared_displacements(const LinePoint& point) {
+  const Eigen::Vector2d p = point.p_R.vector();
+  const Eigen::Vector2d away = p / std::max(p.norm(), 1e-6);
+  const Eigen::Vector2d across{-away.y(), away.x()};
+  const Eigen::Vector2d radial = std::sqrt(away.dot(point.cov_R * away)) * away;
+  const Eigen::Vector2d tangential = std::sqrt(across.dot(point.cov_R * across)) * across;
+  const double c = away.x();
+  const double s = away.y();
+  Eigen::Matrix<double, 2, 6> ways;
+  ways << c * radial - s * tangential, s * radial + c * tangential, radial,
+      (c * c - s * s) * radial, 2.0 * c * s * radial, tangential;
+  return ways;
+}
+
 Eigen::Vector2d tilt_info(const HeadTilt& tilt) {
   return tilt.sigma.cwiseMax(kKnownTilt).cwiseAbs2().cwiseInverse();
 }
 
 }  // namespace
+
+Eigen::Matrix3d shared_part(const PostureFit& fit, const SharedError& error) {
+  Eigen::Matrix3d cov = error.share * error.share * fit.cov_shared;
+  const double place = error.sigma_place * error.sigma_place;
+  cov.diagonal() += Eigen::Vector3d(place, place, error.sigma_heading * error.sigma_heading);
+  return cov;
+}
 
 bool is_inlier(const LineResidual& residual, double scale) {
   const double gate = std::max(kInlierFloor, kSigmas * scale * std::sqrt(residual.var));
@@ -164,6 +187,22 @@ double PostureFitter::measure_correlation(std::span<const LinePoint> points,
          std::max((fit.cov * single).trace(), 1e-12);
 }
 
+PostureFitter::Pulls PostureFitter::measure_pulls(std::span<const LinePoint> points,
+                                                  const PostureFit& fit) const {
+  // Errors that all share are smooth: some of the points tell them as well as all.
+  const std::size_t stride = 1 + residuals_.size() / kLeaders;
+  const Eigen::Matrix2d R_RF = fit.X_FR.rotation().transpose();
+  Pulls pulls = Pulls::Zero();
+  for (std::size_t i = 0; i < residuals_.size(); i += stride) {
+    const LineResidual& r = residuals_[i];
+    const double u2 = std::pow(r.distance / width_of(r, 0.0, fit.scale), 2);
+    const double weight = static_cast<double>(stride) / ((1.0 + u2) * (1.0 + u2) * r.var);
+    const Eigen::Vector2d n_R = R_RF * r.jacobian.head<2>();
+    pulls += weight * row_of(r) * (n_R.transpose() * shared_displacements(points[i]));
+  }
+  return pulls;
+}
+
 void PostureFitter::spread(const Information& info, double variance, PostureFit& fit) const {
   Information total = info / variance;
   total.diagonal().head<3>() += Eigen::Vector3d::Constant(1.0 / (kOpenSigma * kOpenSigma));
@@ -172,6 +211,9 @@ void PostureFitter::spread(const Information& info, double variance, PostureFit&
   fit.cov = cov.topLeftCorner<3, 3>();
   fit.cov = 0.5 * (fit.cov + fit.cov.transpose()).eval();
   fit.var_tilt = cov.diagonal().tail<2>();
+  // One sigma for the radius and one for the turn of each point: three ways share the first.
+  const Eigen::Matrix<double, 3, 6> moved = (cov * pulls_ / variance).topRows<3>();
+  fit.cov_shared = moved * moved.transpose() / 3.0;
 }
 
 void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
@@ -202,6 +244,7 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
   const double slope = sum_slope / sum_weight;
   const double measured = sum_square / (std::max(sum_weight - 3.0, 1.0) * slope * slope);
   const double variance = (sum_weight * measured + kClaimPoints) / (sum_weight + kClaimPoints);
+  pulls_ = measure_pulls(points, fit);
   spread(info, variance, fit);
   fit.correlation = measure_correlation(points, fit);
   // A ratio from so few sectors is uncertain: drawn towards "no correlation".

@@ -60,6 +60,10 @@ struct PostureFit {
   /// N / N_eff as this frame alone says. Above 1 where the camera's map is wrong; `cov` is inflated
   /// by it, drawn towards 1, or by what FitStart knows better.
   double correlation{1.0};
+  /// What `cov` would have to grow by if the claimed sigma of the points were one error that they
+  /// all share: the picture aside, turned, larger, or pulled out of round, as a wrong camera file
+  /// makes it. Grows with the square of the share that is taken to be so; see SharedError.
+  Eigen::Matrix3d cov_shared{Eigen::Matrix3d::Zero()};
   Eigen::Vector2d tilt{Eigen::Vector2d::Zero()};      ///< roll, pitch; rad
   Eigen::Vector2d var_tilt{Eigen::Vector2d::Zero()};  ///< rad^2
 };
@@ -68,6 +72,17 @@ struct PostureFit {
 [[nodiscard]] inline Eigen::Matrix3d independent_part(const PostureFit& fit, double correlation) {
   return fit.cov / std::max(1.0, correlation);
 }
+
+/// What all points of all frames err by together, because the camera file does. It never averages
+/// out.
+struct SharedError {
+  double share{0.2};             ///< of the points' claimed sigma
+  double sigma_place{0.002};     ///< of the robot in its own picture; m
+  double sigma_heading{0.0008};  ///< rad
+};
+
+/// What a shared error makes of the covariance of a posture, beside the fit's own.
+[[nodiscard]] Eigen::Matrix3d shared_part(const PostureFit& fit, const SharedError& error);
 
 /// The sigma of a direction that the points leave open; m or rad.
 inline constexpr double kOpenSigma = 10.0;
@@ -98,6 +113,9 @@ class PostureFitter {
  private:
   using Information = Eigen::Matrix<double, 5, 5>;
 
+  /// How each way to err together pulls at (x, y, theta, roll, pitch).
+  using Pulls = Eigen::Matrix<double, 5, 6>;
+
   [[nodiscard]] double measure_scale();
   /// Residuals of every `stride`-th point.
   void look(const LineMap& map,
@@ -106,6 +124,8 @@ class PostureFitter {
             const PostureFit& fit);
   [[nodiscard]] bool step(PostureFit& fit, double width) const;
   void judge(std::span<const LinePoint> points, PostureFit& fit);
+  /// Of the residuals of the last look, weighted as `judge` weighs them.
+  [[nodiscard]] Pulls measure_pulls(std::span<const LinePoint> points, const PostureFit& fit) const;
   /// Sets the covariances. @param info of the inliers, in units of the claimed sigma
   void spread(const Information& info, double variance, PostureFit& fit) const;
   [[nodiscard]] double measure_correlation(std::span<const LinePoint> points,
@@ -113,6 +133,7 @@ class PostureFitter {
 
   HeadTilt tilt_;
   double known_correlation_{0.0};
+  Pulls pulls_;
   std::vector<LineResidual> residuals_;
   std::vector<double> sorted_;
 };

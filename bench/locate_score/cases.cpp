@@ -77,8 +77,7 @@ void play(const Plan& plan,
 
 // The camera file is the truth, and the tracker is told so.
 void be_exact(vision::LocalisationParameters& parameters) {
-  parameters.sigma_calibration = 1e-5;
-  parameters.sigma_calibration_heading = 1e-5;
+  parameters.shared = {.share = 0.0, .sigma_place = 1e-5, .sigma_heading = 1e-5};
 }
 
 vision::LocalisationParameters parameters_for(const RenderedView& view, bool is_exact) {
@@ -163,6 +162,28 @@ Spoil see_through(const MapFault& fault, const Eigen::Vector2d& tilt, double eye
   };
 }
 
+// One robot's eye, as its calibration left it.
+Spoil eye_of(const CalibrationRemainder& remainder, double eye_height, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const MapFault fault{remainder.shift * normal(random),
+                       remainder.shift * normal(random),
+                       remainder.turn * normal(random),
+                       remainder.scale * normal(random),
+                       remainder.bend * normal(random)};
+  const Eigen::Vector2d tilt(remainder.tilt * normal(random), remainder.tilt * normal(random));
+  return see_through(fault, tilt, eye_height);
+}
+
+// First what happens on the field, then the eye.
+Spoil through_some_eye(const Spoil& spoil,
+                       const CalibrationRemainder& remainder,
+                       double eye_height) {
+  return [=](auto& points, const Pose<Field, Robot>& truth, std::mt19937& random) {
+    if (spoil) spoil(points, truth, random);
+    eye_of(remainder, eye_height, random)(points, truth, random);
+  };
+}
+
 }  // namespace
 
 CaseResult run_drawn_noise(const CaseOptions& options) {
@@ -193,30 +214,25 @@ CaseResult run_noise(const CaseOptions& options) {
 CaseResult run_hardware(const CaseOptions& options, const CalibrationRemainder& remainder) {
   RenderedView view(options.camera, options.camera, options.field, options.pixel_noise_sigma);
   std::mt19937 random(options.seed + 1);
-  std::normal_distribution<double> normal;
   Methods methods(
       options.field, parameters_for(view, false), {.rivals = options.rivals}, options.seed);
   for (std::size_t robot = 0; robot < kRobots; ++robot) {
-    const MapFault fault{remainder.shift * normal(random),
-                         remainder.shift * normal(random),
-                         remainder.turn * normal(random),
-                         remainder.scale * normal(random),
-                         remainder.bend * normal(random)};
-    const Eigen::Vector2d tilt(remainder.tilt * normal(random), remainder.tilt * normal(random));
     Plan plan;
     plan.poses = options.poses / kRobots;
-    plan.spoil = see_through(fault, tilt, view.head().eye_height);
+    plan.spoil = eye_of(remainder, view.head().eye_height, random);
     play(plan, view, options.field, methods, random);
   }
   return {"hardware", "remainder of a calibration", methods.tallies()};
 }
 
-std::vector<CaseResult> run_faults(const CaseOptions& options) {
+std::vector<CaseResult> run_faults(const CaseOptions& options,
+                                   const CalibrationRemainder& remainder) {
   RenderedView view(options.camera, options.camera, options.field, options.pixel_noise_sigma);
   std::vector<CaseResult> results;
   const auto part = [&](const std::string& detail, const Plan& given) {
     Plan plan = given;
     plan.poses = options.poses;
+    plan.spoil = through_some_eye(given.spoil, remainder, view.head().eye_height);
     const auto number = static_cast<std::uint32_t>(results.size());
     std::mt19937 random(options.seed + 10 + number);
     Methods methods(
@@ -239,6 +255,7 @@ std::vector<CaseResult> run_faults(const CaseOptions& options) {
       options.other_field, parameters_for(elsewhere, false), {.rivals = options.rivals}, 5);
   Plan plan;
   plan.poses = options.poses;
+  plan.spoil = through_some_eye({}, remainder, elsewhere.head().eye_height);
   play(plan, elsewhere, options.other_field, methods, random);
   results.push_back({"faults", "field " + options.other_field.name, methods.tallies()});
   return results;

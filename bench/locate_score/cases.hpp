@@ -52,8 +52,9 @@ struct CalibrationRemainder {
                                       const CalibrationRemainder& remainder);
 
 /// (c) Hidden lines, false white, robots around, another field, a leaning head, glare: `poses`
-/// each.
-[[nodiscard]] std::vector<CaseResult> run_faults(const CaseOptions& options);
+/// each, seen through cameras as in (b), another one in each pose.
+[[nodiscard]] std::vector<CaseResult> run_faults(const CaseOptions& options,
+                                                 const CalibrationRemainder& remainder);
 
 /// What happened on drives beside the errors of single frames.
 struct DriveResult {

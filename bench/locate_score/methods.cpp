@@ -109,7 +109,8 @@ Answer Methods::global(const Look& look) {
     Answer answer;
     if (!found.places.empty()) {
       answer.X_FR = found.places.front().X_FR;
-      answer.cov = found.places.front().cov;
+      answer.cov =
+          found.places.front().cov + vision::shared_part(found.places.front(), parameters_.shared);
     }
     return answer;
   });

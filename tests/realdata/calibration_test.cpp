@@ -68,6 +68,21 @@ class RealCamera : public ::testing::Test {
   }
 };
 
+TEST_F(RealCamera, NubotOneAndTwoFitBetterThanWithTheTeamsOwnMirrors) {
+  for (const std::string robot : {"1", "2"}) {
+    const auto result = calibrate("nubot-nudt" + robot + ".textproto",
+                                  "msl-18x12.textproto",
+                                  {"nubot_nudt/robot" + robot + "-whites.txt"},
+                                  0.6);
+
+    print(("nubot robot " + robot).c_str(), result);
+    EXPECT_FALSE(result.refusal.has_value());
+    // A simple fit with the teams' own mirrors: 38 and 47 mm, 126 and 106 mm.
+    EXPECT_LE(quantile(result, &ViewResult::after, 0.5), 0.038);
+    EXPECT_LE(quantile(result, &ViewResult::after, 0.9), 0.126);
+  }
+}
+
 TEST_F(RealCamera, NubotThreeFitsAfterACalibrationFromItsOwnLines) {
   const auto result = calibrate(
       "nubot-nudt3.textproto", "nubot-18x8.textproto", {"nubot_nudt/robot3-whites.txt"}, 0.6);

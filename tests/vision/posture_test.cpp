@@ -46,6 +46,36 @@ TEST(LineResidual, HasTheNumericalJacobian) {
   }
 }
 
+TEST(LineMap, LeavesOutWhatOnlyMarksTheFootOfAWallOrAGoal) {
+  FieldModel field;
+  field.length = 9.0;
+  field.width = 4.5;
+  field.lines = {{"centre line", {0.0, 2.25}, {0.0, -2.25}},
+                 {"wall foot", {-4.5, 2.25}, {4.5, 2.25}},
+                 {"goal side", {4.5, 1.0}, {5.0, 1.0}},
+                 {"goal line", {4.5, 2.25}, {4.5, -2.25}}};
+  field.walls = {{"wall", {-4.5, 2.25}, {4.5, 2.25}, 0.5}};
+  field.goals = {{"goal", {4.5, 1.0}, {4.5, -1.0}, 0.9, 0.5, GoalColour::kYellow}};
+
+  const LineMap map(field);
+
+  EXPECT_NEAR(std::abs(map.nearest({1.0, 2.25}).distance), 1.0, 1e-9);  // the centre line
+  EXPECT_NEAR(std::abs(map.nearest({4.8, 1.0}).distance), 0.3, 1e-9);   // the goal line
+  EXPECT_EQ(map.field(), field);
+}
+
+TEST(LineMap, KeepsTheFootOfAWallWhereThereIsNoOtherPaint) {
+  FieldModel field;
+  field.length = 9.0;
+  field.width = 4.5;
+  field.lines = {{"wall foot", {-4.5, 2.25}, {4.5, 2.25}}};
+  field.walls = {{"wall", {-4.5, 2.25}, {4.5, 2.25}, 0.5}};
+
+  const LineMap map(field);
+
+  EXPECT_NEAR(std::abs(map.nearest({1.0, 2.0}).distance), 0.25, 1e-9);
+}
+
 TEST(LineMap, NamesTheNearestPaint) {
   const FieldModel field = test_field();
   const LineMap map(field);

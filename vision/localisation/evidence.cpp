@@ -320,16 +320,15 @@ Located Localiser::report(const LocalisationState& state) const {
   posture.X_FR = best.X_FR;
   posture.half_log_odds = best.half_log_odds;
   posture.cov = best.cov_pose();
-  const double place = std::pow(parameters_.sigma_calibration, 2);
-  const double heading = std::pow(parameters_.sigma_calibration_heading, 2);
-  posture.cov.diagonal() += Eigen::Vector3d(place, place, heading);
+  PostureFit seen;
   if (state.last_posture && state.last_posture->hypothesis == best.id) {
-    const PostureFit& fit = state.last_posture->fit;
-    posture.inlier_ratio = fit.inlier_ratio;
-    located.tilt = fit.tilt;
-    located.scale = fit.scale;
-    if (fit.observable) posture.cov += fit.cov - independent_part(fit, state.correlation);
+    seen = state.last_posture->fit;
+    posture.inlier_ratio = seen.inlier_ratio;
+    located.tilt = seen.tilt;
+    located.scale = seen.scale;
+    if (seen.observable) posture.cov += seen.cov - independent_part(seen, state.correlation);
   }
+  posture.cov += shared_part(seen, parameters_.shared);
   return located;
 }
 

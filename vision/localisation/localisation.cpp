@@ -14,22 +14,14 @@ namespace teamsight::vision {
 namespace {
 
 constexpr std::size_t kFewestPoints = 8;
-constexpr int kRestart = 10;           // frames running backwards: the camera's clock began again
-constexpr double kNewShare = 0.05;     // of one frame in what is smoothed
-constexpr double kForget = 0.9;        // of a weight, per frame
-constexpr double kGate = 21.1;         // 99.99 % of chi square with 3 degrees of freedom
-constexpr double kSlipGate = 16.3;     // 99.9 %
-constexpr double kNarrowest = 0.06;    // m, of a fit's first kernel
-constexpr double kWidest = 0.25;       // m
-constexpr double kTypicalRange = 3.0;  // m, of a line point
-constexpr double kLeanLasts = 1.0;     // s, that a robot accelerates one way
+constexpr int kRestart = 10;        // frames running backwards: the camera's clock began again
+constexpr double kNewShare = 0.05;  // of one frame in what is smoothed
+constexpr double kForget = 0.9;     // of a weight, per frame
+constexpr double kGate = 21.1;      // 99.99 % of chi square with 3 degrees of freedom
+constexpr double kSlipGate = 16.3;  // 99.9 %
+constexpr double kLeanLasts = 1.0;  // s, that a robot accelerates one way
 constexpr Duration kSlipLasts = std::chrono::milliseconds(300);
 constexpr Duration kSlipBase = std::chrono::milliseconds(200);
-
-double width_for(const Hypothesis& hypothesis) {
-  const double turn = kTypicalRange * std::sqrt(hypothesis.cov(2, 2));
-  return std::clamp(3.0 * std::hypot(hypothesis.sigma_position(), turn), kNarrowest, kWidest);
-}
 
 bool is_finite(std::span<const LinePoint> points) {
   return std::ranges::all_of(points, [](const LinePoint& point) {
@@ -125,8 +117,8 @@ void Localiser::take(LocalisationState& state,
   if (frame.points.size() >= kFewestPoints) {
     const HeadTilt tilt = expected_tilt(state, frame.exposure);
     for (const Hypothesis& one : state.belief.all()) {
-      const FitStart start{one.X_FR, width_for(one), tilt, state.correlation};
-      memory.fixes[memory.count++] = {one.id, fitter_.fit(map_, frame.points, start)};
+      memory.fixes[memory.count++] = {
+          one.id, fitter_.fit(map_, frame.points, one, tilt, state.correlation)};
     }
   }
   correct_all(state, state.belief, memory);

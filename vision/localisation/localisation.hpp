@@ -18,6 +18,7 @@
 #include "vision/localisation/half_odds.hpp"
 #include "vision/localisation/hypothesis.hpp"
 #include "vision/localisation/motion_log.hpp"
+#include "vision/localisation/wide_fit.hpp"
 #include "vision/posture.hpp"
 #include "vision/posture_fit.hpp"
 #include "vision/posture_search.hpp"
@@ -33,10 +34,8 @@ struct LocalisationParameters {
   double sigma_lean{0.0008};            ///< of the lean of a robot that drives evenly; rad
   double lean_per_acceleration{0.005};  ///< sigma of the lean; rad per m/s^2
   double sigma_tilt_drift{0.0003};      ///< of the head's constant tilt; rad per root second
-  /// What the camera file may be wrong by as a whole: a shift and a turn of the robot in its own
-  /// picture. Never averaged away.
-  double sigma_calibration{0.003};           ///< m
-  double sigma_calibration_heading{0.0008};  ///< rad
+  /// What the camera file may be wrong by. Never averaged away.
+  SharedError shared{};
   MotionParameters motion{};
   DriveLimits limits{};
 };
@@ -223,7 +222,7 @@ class Localiser {
   LocalisationParameters parameters_;
   LineMap map_;
   bool symmetric_;
-  PostureFitter fitter_;
+  WideFitter fitter_;
 };
 
 }  // namespace teamsight::vision

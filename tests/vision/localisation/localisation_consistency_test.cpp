@@ -55,8 +55,7 @@ Figures measure(const Scene& scene, std::uint32_t first_seed) {
 // A camera whose file is exactly right.
 Scene noise_only() {
   Scene scene;
-  scene.parameters.sigma_calibration = 1e-5;
-  scene.parameters.sigma_calibration_heading = 1e-5;
+  scene.parameters.shared = {0.0, 1e-5, 1e-5};
   return scene;
 }
 

@@ -230,7 +230,7 @@ TEST(Localisation, BeginsAgainWhenTheCamerasClockDid) {
 }
 
 TEST(Localisation, TakesALateFrameInAtItsOwnTime) {
-  Ride ride(league_field(), {.sigma_calibration = 1e-6}, standing(), 15);
+  Ride ride(league_field(), {.shared = {.sigma_place = 1e-6}}, standing(), 15);
   ride.place_at_truth();
   ride_on(ride, 12);
   std::mt19937 random(1);
