@@ -46,6 +46,7 @@ namespace {
 constexpr Duration kShortestPause = std::chrono::milliseconds(25);
 constexpr Duration kLongestPause = std::chrono::milliseconds(50);
 constexpr Duration kPaceCheck = std::chrono::milliseconds(10);
+constexpr Duration kAway = std::chrono::milliseconds(200);
 constexpr Duration kDiagnosticsPeriod = std::chrono::seconds(1);
 constexpr Duration kRepeatPeriod = std::chrono::milliseconds(100);
 
@@ -139,8 +140,16 @@ class Pace {
     return true;
   }
 
+  /// Did nobody ask for so long that this process must have stood still? Once after each pause:
+  /// then it is not yet heard what came meanwhile, and everybody else would seem to be silent.
+  bool was_away(HostTime now) {
+    const HostTime before = std::exchange(asked_, now);
+    return before != HostTime{} && now - before > kAway;
+  }
+
  private:
   HostTime last_;
+  HostTime asked_;
 };
 
 process::ProcessMeter& described(process::ProcessMeter& meter, const WebServer& server) {
@@ -293,7 +302,7 @@ int run(const Options& options) {
   Pace pace;
   const auto tell = [&](Duration pause) {
     const HostTime now = bus::host_now();
-    if (!pace.is_due(now, pause)) return;
+    if (pace.was_away(now) || !pace.is_due(now, pause)) return;
     const process::StepTimer timer(meter);
     feeds.count(station);
     Update update = update_at(now, station, recording, referee, desk);

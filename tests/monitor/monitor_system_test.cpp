@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -129,6 +130,29 @@ TEST_F(Monitor, BeginsWithTheFieldAndSaysWhyNothingShows) {
   EXPECT_EQ(first.field().length_m(), 22.0);
   EXPECT_EQ(first.team(), "demo");
   EXPECT_THAT(first.silence(), HasSubstr("Nothing heard yet on domain"));
+}
+
+TEST_F(Monitor, DoesNotTakeItsOwnPauseForTheRobots) {
+  const ChildProcess robot1 = fake("robot", "1");
+  const ChildProcess robot2 = fake("robot", "2");
+  test::Watcher watcher(host());
+  ASSERT_TRUE(watch(watcher, kStart, [](const v1::MonitorUpdate& update) {
+    return update.robots_size() == 2 && update.robots(0).alive() && update.robots(1).alive();
+  }));
+
+  monitor_->kill(SIGSTOP);
+  std::this_thread::sleep_for(milliseconds(1500));  // the pause itself is what is tested
+  monitor_->kill(SIGCONT);
+  std::string events;
+  int fresh = 0;
+  const bool goes_on = watch(watcher, kStart, [&](const v1::MonitorUpdate& update) {
+    for (const v1::MonitorEvent& event : update.events()) events += event.text() + "\n";
+    fresh += update.robots(0).age_ms() < 200.0 && update.robots(1).age_ms() < 200.0 ? 1 : 0;
+    return fresh == 30;
+  });
+
+  EXPECT_TRUE(goes_on);
+  EXPECT_THAT(events, ::testing::Not(::testing::HasSubstr("silent")));
 }
 
 TEST_F(Monitor, TellsWithinASecondThatARobotFellSilent) {
