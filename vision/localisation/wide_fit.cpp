@@ -68,9 +68,8 @@ void WideFitter::look_around(const LineMap& map, const Hypothesis& hypothesis) {
   const Eigen::Matrix3d root = hypothesis.cov_pose().llt().matrixL();
   constexpr int kSide = 2 * kSteps + 1;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
-    const Eigen::Vector3d sigmas =
-        kOut / kSteps *
-        Eigen::Vector3d(i % kSide - kSteps, i / kSide % kSide - kSteps, i / kSide / kSide - kSteps);
+    const Eigen::Vector3i steps(i % kSide, i / kSide % kSide, i / kSide / kSide);
+    const Eigen::Vector3d sigmas = kOut / kSteps * (steps.array() - kSteps).cast<double>().matrix();
     if (sigmas.norm() > kOut + 1e-9) continue;
     const Eigen::Vector3d step = root * sigmas;
     Place place{{hypothesis.X_FR.x() + step.x(),
