@@ -134,17 +134,15 @@ void publish(WebServer& server, Recording& recording, const Update& update) {
 class Pace {
  public:
   /// Is it at least `pause` since the last time that this was true?
+  ///
+  /// Not when nobody asked for so long that this process must have stood still: what came meanwhile
+  /// is to be heard first, or everybody else would seem to be silent.
   bool is_due(HostTime now, Duration pause) {
-    if (now - last_ < pause) return false;
+    const HostTime before = std::exchange(asked_, now);
+    const bool was_away = before != HostTime{} && now - before > kAway;
+    if (was_away || now - last_ < pause) return false;
     last_ = now;
     return true;
-  }
-
-  /// Did nobody ask for so long that this process must have stood still? Once after each pause:
-  /// then it is not yet heard what came meanwhile, and everybody else would seem to be silent.
-  bool was_away(HostTime now) {
-    const HostTime before = std::exchange(asked_, now);
-    return before != HostTime{} && now - before > kAway;
   }
 
  private:
@@ -262,6 +260,13 @@ int run_replay(const Options& options) {
   return process::kDone;
 }
 
+/// Orders that are not acknowledged go out again; robots that leave all of them unanswered are told
+/// of.
+void repeat(Operator& oper, const OrderDesk& desk, const Station& station, OwnHearing& hearing) {
+  oper.repeat();
+  hearing.note_unanswered(desk.unanswered_by(station.alive(), bus::host_now()));
+}
+
 int run(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team);
   const std::string token = token_of(options);
@@ -295,14 +300,11 @@ int run(const Options& options) {
   }
   pass_on(loop, feeds, station, desk, what_if);
   loop.on_readable(server.event_fd(), [&]() { oper.listen(token); });
-  loop.every(kRepeatPeriod, [&]() {
-    oper.repeat();
-    hearing.note_unanswered(desk.unanswered_by(station.alive(), bus::host_now()));
-  });
+  loop.every(kRepeatPeriod, [&]() { repeat(oper, desk, station, hearing); });
   Pace pace;
   const auto tell = [&](Duration pause) {
     const HostTime now = bus::host_now();
-    if (pace.was_away(now) || !pace.is_due(now, pause)) return;
+    if (!pace.is_due(now, pause)) return;
     const process::StepTimer timer(meter);
     feeds.count(station);
     Update update = update_at(now, station, recording, referee, desk);
