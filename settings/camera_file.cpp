@@ -11,6 +11,7 @@
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 #include "settings/text_format.hpp"
+#include "vision/image.hpp"
 
 namespace teamsight::settings {
 
@@ -20,6 +21,18 @@ using config::CameraFile;
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
+}
+
+// Pixels beside or below each other may share their chroma.
+void check_even(const TextFile& text, const vision::CameraParameters& camera) {
+  const auto check = [&](const char* key, std::uint32_t width_px, std::uint32_t height_px) {
+    if (vision::has_even_size(camera.format, width_px, height_px)) return;
+    throw text.error(key,
+                     std::to_string(std::max(width_px, height_px)),
+                     "an even number: in this format pixels share their chroma");
+  };
+  check("width_px", camera.width_px, 0);
+  check("height_px", 0, camera.height_px);
 }
 
 // ---- mirrors -----------------------------------------------------------------------------------
@@ -165,6 +178,7 @@ vision::CameraParameters load_camera(const std::filesystem::path& path) {
   camera.width_px = file.width_px();
   camera.height_px = file.height_px();
   camera.format = format_of(file.format());
+  check_even(text, camera);
   camera.mirror = mirror_of(text, file);
   camera.forward = wrap_angle(radians(file.mounting().forward_deg()));
   camera.mirrored = file.mounting().mirrored();

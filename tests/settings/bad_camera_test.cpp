@@ -43,6 +43,8 @@ INSTANTIATE_TEST_SUITE_P(Each, BadCamera, testing::Values(
            "'-'", "a whole number from 16 to 8192"},
     Spoilt{"HugeCount", "width_px: 640", "width_px: 4294967296", "2:11", "width_px",
            "4294967296", "a whole number from 16 to 8192"},
+    Spoilt{"OddWidth", "width_px: 640", "width_px: 641", "2:1", "width_px",
+           "641", "an even number: in this format pixels share their chroma"},
     Spoilt{"UnknownFormat", "UYVY", "RGB", "4:9", "format",
            "'RGB'", "one of BGR, YUYV, UYVY, GREY, NV12, BAYER_RGGB, BAYER_BGGR, BAYER_GRBG, BAYER_GBRG"},
     Spoilt{"BlackAboveWhite", "black_max_y: 50", "black_max_y: 150", "16:3", "colours.black_max_y",
