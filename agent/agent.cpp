@@ -44,22 +44,6 @@ const char* to_text(vision::FrameReject reason) {
   return "frames.rejected";
 }
 
-const char* name_of(vision::Light light) {
-  switch (light) {
-    case vision::Light::kGood:
-      return "good";
-    case vision::Light::kDark:
-      return "too dark";
-    case vision::Light::kGlare:
-      return "glare";
-    case vision::Light::kCovered:
-      return "the lens is covered";
-    case vision::Light::kUnknown:
-      break;
-  }
-  return "no carpet in sight";
-}
-
 std::string in_seconds(Duration duration) {
   const auto tenths = std::llround(10.0 * to_seconds(duration));
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
@@ -91,6 +75,7 @@ Agent::Agent(AgentIdentity identity,
       frames_(&frames),
       perception_(std::move(perception)),
       locator_(std::move(locator)),
+      light_(perception_->light()),
       meter_("agent/" + std::to_string(identity_.robot), identity_.robot, identity_.boot),
       air_(*bus.team, "agent/" + std::to_string(identity_.robot)),
       picture_air_(kPictureRate, kPictureBurst),
@@ -137,7 +122,7 @@ void Agent::write(const Seen& seen) {
   exposure_ = seen.exposure;
   sees_ball_ = sees_ball(*seen.observation);
   drift_.take(seen.observation->drift, posture_.X_FR);
-  light_ = seen.observation->light;
+  light_.follow(*perception_, seen.frame, seen.observation->light, seen.exposure);
   carpet_luminance_ = static_cast<std::uint64_t>(seen.observation->carpet.luminance);
   const HostTime now = bus::host_now();
   if (posture_.status != PostureStatus::kLost) {
@@ -269,10 +254,7 @@ std::string Agent::complaint(const SourceReport& source, HostTime now) const {
   if (drift_.report().alarm) {
     return drift_complaint(drift_.report());
   }
-  if (light_ != vision::Light::kGood) {
-    return std::string("light: ") + name_of(light_) + ", what is seen may be wrong";
-  }
-  return {};
+  return light_.complaint();
 }
 
 void Agent::diagnose() {
@@ -291,7 +273,8 @@ void Agent::diagnose() {
                  posture.inputs_backwards);
   meter_.set("RobotState", bus_->states.counters());
   meter_.set("Sightings", bus_->sightings.counters());
-  meter_.set("carpet.luminance", carpet_luminance_);
+  meter_.show("carpet.luminance", carpet_luminance_);
+  light_.tell(meter_);
   meter_.set("Command", bus_->commands.counters());
   meter_.set("Odometry", bus_->odometry.counters());
   meter_.set("bus.rejoined", hearing_.times());

@@ -7,6 +7,7 @@
 
 #include "agent/carried_out.hpp"
 #include "agent/frame_thread.hpp"
+#include "agent/light_follower.hpp"
 #include "agent/locator.hpp"
 #include "agent/translate.hpp"
 #include "bus/loop.hpp"
@@ -98,6 +99,7 @@ class Agent {
   FrameThread* frames_;
   std::unique_ptr<vision::Perception> perception_;
   std::unique_ptr<Locator> locator_;
+  LightFollower light_;
   process::ProcessMeter meter_;
   process::AirShare air_;
   process::TokenBucket picture_air_;
@@ -109,9 +111,8 @@ class Agent {
   HostTime exposure_{};       // of the newest frame; zero: none yet
   HostTime posture_found_{};  // when it last was not lost
   bool sees_ball_{false};
-  vision::Light light_{vision::Light::kUnknown};  // of the newest frame
-  std::uint64_t carpet_luminance_{0};             // the same; grey levels, 0: no carpet seen
-  double frame_period_{0.0};                      // s, smoothed; 0: not known
+  std::uint64_t carpet_luminance_{0};  // of the newest frame; grey levels, 0: no carpet seen
+  double frame_period_{0.0};           // s, smoothed; 0: not known
   double cpu_load_{0.0};
   double cpu_temperature_{0.0};  // degrees Celsius; 0 = not measured
   std::string reject_;           // why the newest frame said nothing; empty if it did

@@ -75,6 +75,10 @@ void ProcessMeter::set(std::string_view name, std::uint64_t value) {
   }
 }
 
+void ProcessMeter::show(std::string_view name, std::uint64_t value) {
+  shown_.insert_or_assign(std::string(name), value);
+}
+
 void ProcessMeter::set(std::string_view topic, const bus::ReadCounters& counters) {
   const std::string prefix(topic);
   set(prefix + ".accepted", counters.accepted);
@@ -111,10 +115,14 @@ bus::Diagnostics ProcessMeter::report(HostTime now) {
   reported_ = now;
   cpu_at_report_ = cpu;
   diagnostics.resident_kb = resident_kb();
+  for (const auto& [name, value] : shown_) {
+    diagnostics.counters.push_back({name.substr(0, kMaxCounterName), value});
+  }
+  const auto shown = static_cast<std::ptrdiff_t>(shown_.size());
   for (const auto& [name, value] : counters_) {
     if (value != 0) diagnostics.counters.push_back({name.substr(0, kMaxCounterName), value});
   }
-  std::stable_sort(diagnostics.counters.begin(),
+  std::stable_sort(diagnostics.counters.begin() + shown,
                    diagnostics.counters.end(),
                    [](const auto& a, const auto& b) { return a.value > b.value; });
   if (diagnostics.counters.size() > kMaxCounters) diagnostics.counters.resize(kMaxCounters);

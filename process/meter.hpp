@@ -34,6 +34,10 @@ class ProcessMeter {
   /// Sets a counter that somebody else keeps.
   void set(std::string_view name, std::uint64_t value);
 
+  /// Sets a number that is a present state and no count: reported before all counters, also when it
+  /// is zero.
+  void show(std::string_view name, std::uint64_t value);
+
   /// Sets "<topic>.accepted", "<topic>.lost" and "<topic>.rejected.<reason>".
   void set(std::string_view topic, const bus::ReadCounters& counters);
 
@@ -42,7 +46,8 @@ class ProcessMeter {
 
   /// Everything so far; step times and CPU load since the report before.
   ///
-  /// The counters are those that are not zero, largest first, as many as the topic holds.
+  /// After what is shown the counters are those that are not zero, largest first, as many as the
+  /// topic holds.
   ///
   /// @param now  the present; the load is 0 in the first report
   [[nodiscard]] bus::Diagnostics report(HostTime now);
@@ -53,6 +58,7 @@ class ProcessMeter {
   std::array<Duration, 512> steps_{};  // a ring: the newest steps since the last report
   std::size_t step_count_{0};
   std::map<std::string, std::uint64_t, std::less<>> counters_;
+  std::map<std::string, std::uint64_t, std::less<>> shown_;
   HostTime reported_{};
   Duration cpu_at_report_{0};
 };

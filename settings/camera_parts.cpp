@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "settings/camera_names.hpp"
+#include "settings/class_table_file.hpp"
 
 namespace teamsight::settings {
 
@@ -57,6 +58,26 @@ vision::HueSector sector_of(const TextFile& text, const CameraFile::Colours& fil
           byte(hue.max_chroma())};
 }
 
+vision::SampledColour look_of(const CameraFile::Colours::Look& file) {
+  return {byte(file.y()), byte(file.u()), byte(file.v())};
+}
+
+// Paint that is no brighter than the carpet is no paint.
+vision::FieldColours light_of(const TextFile& text, const CameraFile::Colours::Light& file) {
+  if (file.white().y() <= file.green().y()) {
+    throw text.error("colours.light.white.y",
+                     std::to_string(file.white().y()),
+                     "more than green's, " + std::to_string(file.green().y()));
+  }
+  return {look_of(file.green()), look_of(file.white())};
+}
+
+void write_look(const vision::SampledColour& colour, CameraFile::Colours::Look& out) {
+  out.set_y(colour.y);
+  out.set_u(colour.u);
+  out.set_v(colour.v);
+}
+
 bool asks_for_colours(SensorKind kind) {
   return kind == SensorKind::kBumper || kind == SensorKind::kGoal || kind == SensorKind::kColour;
 }
@@ -101,6 +122,10 @@ vision::ColourParameters colours_of(const TextFile& text, const CameraFile::Colo
     colours.samples.push_back(sample_of(text, file, i));
   }
   for (int i = 0; i < file.hue_size(); ++i) colours.sectors.push_back(sector_of(text, file, i));
+  if (file.has_table()) {
+    colours.table = read_class_table(text.resolve("colours.table", file.table()));
+  }
+  if (file.has_light()) colours.light = light_of(text, file.light());
   return colours;
 }
 
@@ -153,6 +178,10 @@ void write_colours(const vision::ColourParameters& colours, CameraFile::Colours&
     line.set_to_deg(sector.to / kDegree);
     line.set_min_chroma(sector.min_chroma);
     line.set_max_chroma(sector.max_chroma);
+  }
+  if (colours.light) {
+    write_look(colours.light->green, *out.mutable_light()->mutable_green());
+    write_look(colours.light->white, *out.mutable_light()->mutable_white());
   }
 }
 

@@ -11,6 +11,7 @@
 #include "settings/calibration_record.hpp"
 #include "settings/camera_names.hpp"
 #include "settings/camera_parts.hpp"
+#include "settings/class_table_file.hpp"
 #include "settings/load.hpp"
 #include "settings/profile_csv.hpp"
 
@@ -26,6 +27,10 @@ double degrees(double radians) {
 
 std::filesystem::path profile_beside(const std::filesystem::path& path) {
   return path.parent_path() / (path.stem().string() + "-profile.csv");
+}
+
+std::filesystem::path classes_beside(const std::filesystem::path& path) {
+  return path.parent_path() / (path.stem().string() + "-classes.bin");
 }
 
 void write(const vision::RadialTable& table, CameraFile& file) {
@@ -84,6 +89,9 @@ CameraFile file_of(const vision::CameraParameters& camera, const std::filesystem
   file.mutable_mounting()->set_forward_deg(degrees(camera.forward));
   file.mutable_mounting()->set_mirrored(camera.mirrored);
   write_colours(camera.colours, *file.mutable_colours());
+  if (!camera.colours.table.empty()) {
+    file.mutable_colours()->set_table(classes_beside(path).filename().string());
+  }
   write(camera.mask, *file.mutable_mask());
   if (camera.calibration) write_record(*camera.calibration, *file.mutable_calibration());
   file.mutable_scan()->set_rays(camera.scan.rays);
@@ -126,6 +134,9 @@ void save_camera(const std::filesystem::path& path,
   google::protobuf::TextFormat::PrintToString(file, &text);
   if (const auto* mirror = std::get_if<vision::ProfileMirror>(&camera.mirror)) {
     replace_file(profile_beside(path), profile_csv(mirror->profile));
+  }
+  if (!camera.colours.table.empty()) {
+    replace_file(classes_beside(path), class_table_bytes(camera.colours.table));
   }
   replace_file(path,
                "# " + path.filename().string() + ": one robot's eye; see CameraFile in " +

@@ -91,7 +91,8 @@ struct MatchSettings {
 ///         format, has an unknown or lacks a required key, or holds a value that makes no sense
 [[nodiscard]] FieldModel load_field(const std::filesystem::path& path);
 
-/// Reads a camera file and, if the mirror is a profile, the CSV file beside it.
+/// Reads a camera file and the files beside it that it names: a mirror's profile as CSV, and
+/// trained colour classes.
 [[nodiscard]] vision::CameraParameters load_camera(const std::filesystem::path& path);
 
 /// Reads a robot file and its team file; field, camera and profiles are left to their readers.
@@ -101,7 +102,8 @@ struct MatchSettings {
 
 [[nodiscard]] MatchSettings load_match(const std::filesystem::path& path);
 
-/// Writes a camera file that load_camera reads back; a profile goes into a CSV file beside it.
+/// Writes a camera file that load_camera reads back; a profile goes into a CSV file beside it, and
+/// trained colour classes into one of their own.
 /// A reader sees the old file or the new one, never a part of it.
 ///
 /// @param comment  where the numbers come from, for the head of the file; may have several lines

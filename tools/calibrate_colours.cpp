@@ -21,7 +21,11 @@
 #include "settings/load.hpp"
 #include "tools/image_file.hpp"
 #include "tools/number_list.hpp"
+#include "tools/unknown_field.hpp"
+#include "vision/calibration/class_training.hpp"
 #include "vision/calibration/colour_samples.hpp"
+#include "vision/field_colours.hpp"
+#include "vision/perception.hpp"
 
 namespace teamsight::tools {
 
@@ -41,6 +45,8 @@ struct ColourOptions {
   std::vector<std::string> samples;
   std::string image;
   bool balance{false};
+  bool light{false};
+  bool table{false};
 };
 
 /// One place in an image that shows a class.
@@ -127,6 +133,11 @@ ordered_json report(const vision::ColourParameters& colours) {
   ordered_json line;
   line["white_min_y"] = colours.white_min_y;
   line["black_max_y"] = colours.black_max_y;
+  if (colours.light) {
+    const auto& [green, white] = *colours.light;
+    line["light"] = {{"green", {green.y, green.u, green.v}},
+                     {"white", {white.y, white.u, white.v}}};
+  }
   line["samples"] = ordered_json::array();
   for (const vision::ColourSample& sample : colours.samples) {
     line["samples"].push_back({{"class", name_of(sample.colour)},
@@ -161,23 +172,67 @@ std::optional<vision::ColourParameters> balanced(const vision::CameraParameters&
   return vision::balanced(camera.colours, *now);
 }
 
+// What the field looks like in the image, measured as the agent does.
+std::optional<vision::FieldColours> light_in(vision::CameraParameters camera,
+                                             const std::string& image) {
+  if (image.empty()) throw std::runtime_error("--light: found no --image, expected one");
+  const ImageFile frame = read_image(image, camera);
+  camera.format = frame.format;
+  const auto found = vision::Perception(camera, unknown_field()).field_colours(frame.view());
+  if (found && !vision::is_saturated(found->white)) return found;
+  std::cerr << "teamsight: " << image << ": carpet and paint do not stand out, or are too bright\n";
+  return std::nullopt;
+}
+
+// Discs in the chroma plane, or a table over luminance and chroma.
+Result<vision::ColourParameters, vision::ColourConflict> taught(
+    const vision::ColourParameters& before,
+    const std::vector<vision::LabelledColours>& labels,
+    bool as_table) {
+  if (!as_table && !labels.empty()) return vision::colours_from(before, labels);
+  vision::ColourParameters colours = before;
+  if (as_table) colours.table = vision::train_classes(before, labels);
+  return colours;
+}
+
+// The classes of the base, with the light and the balance that are asked for; nothing: the image
+// shows no field.
+std::optional<vision::ColourParameters> colours_in_light(const vision::CameraParameters& camera,
+                                                         const ColourOptions& options) {
+  vision::ColourParameters colours = camera.colours;
+  const bool has_samples = !options.labels.empty() || !options.samples.empty();
+  if (!colours.table.empty() && (options.balance || (has_samples && !options.table))) {
+    throw std::runtime_error(
+        options.base +
+        ": found a trained table of classes, expected --sample or --labels with --table");
+  }
+  if (options.balance) {
+    const auto found = balanced(camera, options.image);
+    if (!found) return std::nullopt;
+    colours = *found;
+  }
+  if (options.balance || options.light) {
+    colours.light = light_in(camera, options.image);
+    if (!colours.light) return std::nullopt;
+  }
+  return colours;
+}
+
 int calibrate_colours(const ColourOptions& options) {
   vision::CameraParameters camera = settings::load_camera(options.base);
-  if (options.balance) {
-    const auto colours = balanced(camera, options.image);
-    if (!colours) return kNo;
-    camera.colours = *colours;
-  }
+  const auto in_light = colours_in_light(camera, options);
+  if (!in_light) return kNo;
+  camera.colours = *in_light;
   std::vector<Click> clicks;
   if (!options.labels.empty()) clicks = clicks_in(options.labels);
   for (const std::string& text : options.samples) clicks.push_back(click_of(text, options.image));
-  if (clicks.empty() && !options.balance) {
+  if (clicks.empty() && !options.balance && !options.light) {
     throw std::runtime_error(
-        "found neither --sample, --labels nor --balance, expected one of them");
+        "found neither --sample, --labels, --balance nor --light, expected one of them");
   }
   std::vector<vision::LabelledColours> labels;
   for (const Click& click : clicks) labels.push_back(pixels_at(click, camera));
-  const auto colours = vision::colours_from(camera.colours, labels);
+  const auto colours = taught(camera.colours, labels, options.table);
   if (!colours) {
     const vision::ColourConflict& conflict = colours.error();
     std::cerr << "teamsight: " << name_of(conflict.a) << " and " << name_of(conflict.b)
@@ -205,6 +260,12 @@ void add_calibrate_colours(CLI::App& calibrate, int& exit_code) {
   colours->add_flag("--balance",
                     options->balance,
                     "carry the base's classes over to the image's light, by its white and green");
+  colours->add_flag("--light",
+                    options->light,
+                    "the classes are right in the image's light: the agent follows it from there");
+  colours->add_flag("--table",
+                    options->table,
+                    "train a table over luminance and chroma by the samples, not discs");
   colours->add_option("--out", options->out, "camera file to write");
   colours->callback([options, &exit_code] { exit_code = calibrate_colours(*options); });
 }

@@ -70,7 +70,9 @@ BallBlob BallDetector::grow(const FrameTables& frame, std::size_t seed) {
   const auto visit = [&](std::size_t pixel) {
     if (visited_[pixel] == frame_ || solid_angle_[pixel] <= 0.0F) return;
     if (open_.size() >= kMostPixels) return;
-    if (frame.colours.of(pixels.chroma(pixel)) != ColourClass::kBall) return;
+    if (frame.colours.chromatic(pixels.luminance(pixel), pixels.chroma(pixel)) !=
+        ColourClass::kBall)
+      return;
     visited_[pixel] = frame_;
     open_.push_back(pixel);
   };

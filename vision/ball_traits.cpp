@@ -46,9 +46,10 @@ Chroma chroma_around(const PixelReader& pixels, std::size_t pixel) {
 
 void look_at(std::size_t pixel, bool is_near, const FrameTables& frame, Ring& ring) {
   const float carpet = frame.scan.carpet().luminance;
-  const auto luminance = static_cast<float>(frame.pixels.luminance(pixel));
+  const std::uint8_t y = frame.pixels.luminance(pixel);
+  const auto luminance = static_cast<float>(y);
   const Chroma chroma = chroma_around(frame.pixels, pixel);
-  const ColourClass colour = frame.colours.of(chroma);
+  const ColourClass colour = frame.colours.chromatic(y, chroma);
   // A ball in front of the robot touches the own body in the picture.
   const bool is_body = colour == ColourClass::kBlue || colour == ColourClass::kRed ||
                        luminance < kBodyLuminance * carpet;

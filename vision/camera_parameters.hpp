@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -104,11 +105,41 @@ struct HueSector {
   friend bool operator==(const HueSector&, const HueSector&) = default;
 };
 
+/// A pixel's colour: luminance and chroma, BT.601 full range.
+struct SampledColour {
+  std::uint8_t y{0};
+  std::uint8_t u{128};
+  std::uint8_t v{128};
+
+  friend bool operator==(const SampledColour&, const SampledColour&) = default;
+};
+
+/// The two colours every field has.
+struct FieldColours {
+  SampledColour green;  ///< median of the carpet
+  SampledColour white;  ///< median of the paint
+
+  friend bool operator==(const FieldColours&, const FieldColours&) = default;
+};
+
+/// Classes of a ClassTable: six bits each of luminance, u and v.
+inline constexpr std::size_t kClassCells = std::size_t{1} << 18U;
+
+/// The class of every colour, learnt from samples; kClassCells of them, in the order of class_cell.
+using ClassTable = std::vector<ColourClass>;
+
+[[nodiscard]] constexpr std::size_t class_cell(const SampledColour& colour) {
+  return std::size_t{colour.y} >> 2U << 12U | std::size_t{colour.u} >> 2U << 6U | colour.v >> 2U;
+}
+
 struct ColourParameters {
   std::uint8_t white_min_y{160};
   std::uint8_t black_max_y{40};
   std::vector<ColourSample> samples;
   std::vector<HueSector> sectors;  ///< asked where no sample's disc reaches; the first one counts
+  ClassTable table;                ///< empty: samples and sectors decide; else they are not asked
+  /// What the field looked like when all these were chosen; nothing: nobody has said so.
+  std::optional<FieldColours> light;
 
   friend bool operator==(const ColourParameters&, const ColourParameters&) = default;
 };

@@ -1,9 +1,13 @@
-// vision/colour_classes.cpp: filling the chroma table.
+// vision/colour_classes.cpp: filling the chroma table, and the way back from another light.
 #include "vision/colour_classes.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include <Eigen/LU>
+
+#include "geometry/expect.hpp"
 
 namespace teamsight::vision {
 
@@ -45,10 +49,28 @@ ColourClass class_at(const ColourParameters& parameters, int u, int v) {
 }  // namespace
 
 ColourClasses::ColourClasses(const ColourParameters& parameters)
-    : white_min_y_(parameters.white_min_y),
+    : trained_(parameters.table),
+      has_table_(!parameters.table.empty()),
+      white_min_y_(parameters.white_min_y),
       black_max_y_(parameters.black_max_y) {
+  TEAMSIGHT_EXPECT(!has_table_ || trained_.size() == kClassCells);
   for (std::size_t i = 0; i < table_.size(); ++i) {
     table_[i] = class_at(parameters, static_cast<int>(i >> 8U), static_cast<int>(i & 255U));
+  }
+}
+
+void ColourClasses::adapt(const LightGains& gains) {
+  TEAMSIGHT_EXPECT(gains.red > 0.0 && gains.green > 0.0 && gains.blue > 0.0);
+  is_adapted_ = gains != LightGains{};
+  exposure_ = static_cast<float>(exposure_of(gains));
+  const Eigen::Matrix3d to_yuv = yuv_from_rgb();
+  const Eigen::Vector3d weaker{1.0 / gains.red, 1.0 / gains.green, 1.0 / gains.blue};
+  const Eigen::Matrix3d back = to_yuv * weaker.asDiagonal() * to_yuv.inverse();
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      const double value = back(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+      back_[row][column] = static_cast<int>(std::lround(value * (1 << kShift)));
+    }
   }
 }
 

@@ -1,40 +1,84 @@
-// vision/colour_classes.hpp: the class of a colour by one look-up in a table of the chroma plane.
+// vision/colour_classes.hpp: the class of a colour by one look-up in a table.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "vision/camera_parameters.hpp"
+#include "vision/light_gains.hpp"
 #include "vision/pixel_reader.hpp"
 
 namespace teamsight::vision {
 
-/// The chroma plane cut into classes: each place belongs to the nearest sample whose disc holds it,
+/// Colours cut into classes: by a trained table over luminance and chroma if the camera has one;
+/// else the chroma plane is cut, each place belonging to the nearest sample whose disc holds it,
 /// else to the first hue sector that does.
+///
+/// In another light colours are first taken back to the one that the classes were made for.
 class ColourClasses {
  public:
   explicit ColourClasses(const ColourParameters& parameters);
 
-  /// By chroma alone; kNone where neither disc nor sector reaches.
+  /// From now on the light is this one.
+  ///
+  /// @pre all gains are positive
+  void adapt(const LightGains& gains);
+
+  /// What the camera file's light would have made of a colour; itself unless adapted.
+  [[nodiscard]] SampledColour restored(std::uint8_t y, Chroma chroma) const {
+    if (!is_adapted_) return {y, chroma.u, chroma.v};
+    const int du = chroma.u - 128;
+    const int dv = chroma.v - 128;
+    const auto row = [&](const std::array<int, 3>& weights, int offset) {
+      const int value = (weights[0] * y + weights[1] * du + weights[2] * dv + kHalf) >> kShift;
+      return static_cast<std::uint8_t>(std::clamp(value + offset, 0, 255));
+    };
+    return {row(back_[0], 0), row(back_[1], 128), row(back_[2], 128)};
+  }
+
+  /// The class of a restored colour; kNone where it has none, as black, grey and white.
+  [[nodiscard]] ColourClass of(const SampledColour& colour) const {
+    return has_table_ ? trained_[class_cell(colour)] : of(Chroma{colour.u, colour.v});
+  }
+
+  /// The same of a colour as the camera shows it.
+  [[nodiscard]] ColourClass chromatic(std::uint8_t y, Chroma chroma) const {
+    return of(restored(y, chroma));
+  }
+
+  /// By samples and sectors alone, in the camera file's light.
   [[nodiscard]] ColourClass of(Chroma chroma) const {
     return table_[std::size_t{chroma.u} << 8U | chroma.v];
   }
 
-  /// By chroma, and where that has no colour by luminance: kBlack, kWhite or kNone.
+  /// As `chromatic`, and where that is no colour by luminance: kBlack, kWhite or kNone.
   [[nodiscard]] ColourClass of(std::uint8_t y, Chroma chroma) const {
-    const ColourClass colour = of(chroma);
-    if (colour != ColourClass::kNone) return colour;
-    if (y <= black_max_y_) return ColourClass::kBlack;
-    return y >= white_min_y_ ? ColourClass::kWhite : ColourClass::kNone;
+    const SampledColour colour = restored(y, chroma);
+    const ColourClass known = of(colour);
+    if (known != ColourClass::kNone) return known;
+    if (colour.y <= black_max_y_) return ColourClass::kBlack;
+    return colour.y >= white_min_y_ ? ColourClass::kWhite : ColourClass::kNone;
   }
 
   [[nodiscard]] std::uint8_t white_min_y() const { return white_min_y_; }
 
   [[nodiscard]] std::uint8_t black_max_y() const { return black_max_y_; }
 
+  /// How much brighter the light is than the camera file's.
+  [[nodiscard]] float exposure() const { return exposure_; }
+
  private:
+  static constexpr int kShift = 14;
+  static constexpr int kHalf = 1 << (kShift - 1);
+
   std::array<ColourClass, std::size_t{256} * 256> table_{};
+  ClassTable trained_;
+  bool has_table_;
+  bool is_adapted_{false};
+  float exposure_{1.0F};
+  std::array<std::array<int, 3>, 3> back_{};  // fixed point: (y, u, v) to the file's light
   std::uint8_t white_min_y_;
   std::uint8_t black_max_y_;
 };

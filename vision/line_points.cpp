@@ -122,7 +122,8 @@ bool is_carpet(const PixelReader& pixels,
   }
   if (count < 2) return false;
   const Chroma mean{static_cast<std::uint8_t>(u / count), static_cast<std::uint8_t>(v / count)};
-  return colours.of(mean) == ColourClass::kGreen && y / count < colours.white_min_y();
+  const SampledColour colour = colours.restored(static_cast<std::uint8_t>(y / count), mean);
+  return colours.of(colour) == ColourClass::kGreen && colour.y < colours.white_min_y();
 }
 
 bool has_carpet_beside(const PixelReader& pixels,

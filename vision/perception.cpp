@@ -7,6 +7,7 @@
 #include "geometry/expect.hpp"
 #include "vision/carpet_hull.hpp"
 #include "vision/colour_classes.hpp"
+#include "vision/field_colours.hpp"
 #include "vision/light.hpp"
 #include "vision/pixel_reader.hpp"
 #include "vision/radial_scan.hpp"
@@ -20,6 +21,7 @@ namespace {
 constexpr float kLeastCarpet = 0.03F;     // of the samples
 constexpr double kOffCarpetMargin = 0.3;  // m; nearer to the carpet's edge things are walls
 constexpr double kSigmaTilt = 0.0052;     // rad; 0.3 degrees
+constexpr std::size_t kFloorStride = 3;   // samples; thousands are left
 
 std::optional<FrameReject> reject_of(const ImageView& image, const CameraParameters& camera) {
   if (image.format != camera.format) return FrameReject::kWrongFormat;
@@ -98,6 +100,8 @@ struct Perception::Tables {
   VirtualSensors sensors;
   PostureEstimator posture;
   std::vector<float> profile;
+  FieldColourMeter field_meter;
+  std::vector<SampledColour> floor;
   FrameObservation observation;
 };
 
@@ -190,6 +194,30 @@ Result<const FrameObservation*, FrameReject> Perception::see(const ImageView& im
                                                              const MotionPrior& prior) {
   return see_with(
       image, [&](const Cues& cues) { return tables_->posture.estimate(cues.line_points, prior); });
+}
+
+std::optional<FieldColours> Perception::field_colours(const ImageView& image) {
+  if (reject_of(image, tables_->camera)) return std::nullopt;
+  const PixelReader pixels(image);
+  std::vector<SampledColour>& floor = tables_->floor;
+  floor.clear();
+  for (const ScanRange& range : tables_->lines.radial()) {
+    const auto taps = tables_->lines.taps(range);
+    for (std::size_t i = 0; i < taps.size(); i += kFloorStride) {
+      const std::size_t pixel = taps[i].nearest(pixels.width());
+      const Chroma chroma = pixels.chroma(pixel);
+      floor.push_back({pixels.luminance(pixel), chroma.u, chroma.v});
+    }
+  }
+  return tables_->field_meter.measure(floor);
+}
+
+void Perception::adapt(const LightGains& gains) {
+  tables_->colours.adapt(gains);
+}
+
+const std::optional<FieldColours>& Perception::light() const {
+  return tables_->camera.colours.light;
 }
 
 const HeadTilt& Perception::head() const {

@@ -22,6 +22,7 @@
 #include "vision/goal_detector.hpp"
 #include "vision/image.hpp"
 #include "vision/light.hpp"
+#include "vision/light_gains.hpp"
 #include "vision/line_drift.hpp"
 #include "vision/line_points.hpp"
 #include "vision/obstacle_detector.hpp"
@@ -71,7 +72,7 @@ struct FrameObservation {
 ///
 /// All tables are made by the constructor (some 100 ms); `see` allocates nothing once its buffers
 /// have grown. The only state is buffers: what is known from earlier frames comes in as a
-/// MotionPrior, so the same frame and prior always give the same observation.
+/// MotionPrior and by `adapt`, so the same frame, prior and light always give the same observation.
 /// Thread rule: one thread per object.
 class Perception {
  public:
@@ -108,6 +109,23 @@ class Perception {
   /// lines and goals and what stands on the field.
   [[nodiscard]] Result<const FrameObservation*, FrameReject> see_with(
       const ImageView& image, const PostureSource& posture_of);
+
+  /// The colours of the carpet and the paint in a frame, whatever the classes say; takes some
+  /// 0.2 ms.
+  ///
+  /// @param image  must have the camera's size and format
+  /// @return nothing if they do not stand out, or if it is no frame of this camera
+  [[nodiscard]] std::optional<FieldColours> field_colours(const ImageView& image);
+
+  /// From the next frame on the light is this one: colours are taken back to the camera file's
+  /// before they are judged.
+  ///
+  /// @pre all gains are positive
+  void adapt(const LightGains& gains);
+
+  /// What the field looked like when this camera's colour classes were chosen; nothing: nobody has
+  /// said so.
+  [[nodiscard]] const std::optional<FieldColours>& light() const;
 
   /// Where this camera looks from, and how far its head may lean against the camera file.
   [[nodiscard]] const HeadTilt& head() const;

@@ -68,6 +68,16 @@ std::uint8_t chroma_length(Chroma chroma) {
   return static_cast<std::uint8_t>(larger + std::min(du, dv) * 3 / 8);
 }
 
+// The chroma in grey light as bright as the frame's.
+Chroma without_cast(const SampledColour& restored, float exposure) {
+  if (exposure == 1.0F) return {restored.u, restored.v};
+  const auto brighter = [&](std::uint8_t value) {
+    const float shown = 128.5F + exposure * static_cast<float>(value - 128);
+    return static_cast<std::uint8_t>(std::clamp(shown, 0.0F, 255.0F));
+  };
+  return {brighter(restored.u), brighter(restored.v)};
+}
+
 }  // namespace
 
 RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
@@ -103,10 +113,13 @@ void RadialScan::classify(const PixelReader& pixels,
     read_luminance(pixels, taps, luminance);
     const auto chroma = chroma_reader_.read(pixels, taps);
     for (std::size_t i = 0; i < range.count; ++i) {
-      const ColourClass colour = colours.of(chroma[i]);
+      const SampledColour restored =
+          colours.restored(static_cast<std::uint8_t>(luminance[i]), chroma[i]);
+      const ColourClass colour = colours.of(restored);
+      const Chroma uncast = without_cast(restored, colours.exposure());
       classes_[range.first + i] = colour;
-      chromas_[range.first + i] = chroma_length(chroma[i]);
-      if (colour == ColourClass::kGreen) meter_.add_green(luminance[i], chroma[i]);
+      chromas_[range.first + i] = chroma_length(uncast);
+      if (colour == ColourClass::kGreen) meter_.add_green(luminance[i], uncast);
     }
     meter_.add_samples(range.count);
   }

@@ -39,6 +39,19 @@ TEST(ProcessMeter, KeepsTheNewestStepsWhenThereAreMany) {
   EXPECT_DOUBLE_EQ(meter.report(HostTime{seconds(5)}).step_ms_p95, 1.0);
 }
 
+TEST(ProcessMeter, ReportsAStateBeforeAllCountersAlsoWhenItIsZero) {
+  ProcessMeter meter("agent/1", 1, 77);
+  for (int i = 0; i < 30; ++i) meter.set("counter." + std::to_string(i), 1000U);
+  meter.show("state", 5);
+
+  meter.show("state", 0);
+  const auto report = meter.report(HostTime{seconds(5)});
+
+  ASSERT_EQ(report.counters.size(), 18U);
+  EXPECT_EQ(report.counters[0].name, "state");
+  EXPECT_EQ(report.counters[0].value, 0U);
+}
+
 TEST(ProcessMeter, CountsItsReportsUnderTheProcessName) {
   ProcessMeter meter("fusion/3", 3, 77);
   (void)meter.report(HostTime{seconds(5)});

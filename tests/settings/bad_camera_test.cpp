@@ -49,6 +49,9 @@ INSTANTIATE_TEST_SUITE_P(Each, BadCamera, testing::Values(
            "'RGB'", "one of BGR, YUYV, UYVY, GREY, NV12, BAYER_RGGB, BAYER_BGGR, BAYER_GRBG, BAYER_GBRG"},
     Spoilt{"BlackAboveWhite", "black_max_y: 50", "black_max_y: 150", "16:3", "colours.black_max_y",
            "150", "less than white_min_y, 150"},
+    Spoilt{"PaintDarkerThanTheCarpet", "black_max_y: 50",
+           "black_max_y: 50 light { green { y: 90 u: 110 v: 100 } white { y: 90 u: 128 v: 128 } }", "16:65",
+           "colours.light.white.y", "90", "more than green's, 90"},
     Spoilt{"RimInsideTheBody", "outer_radius_px: 175", "outer_radius_px: 40", "22:3",
            "mask.outer_radius_px", "40", "more than inner_radius_px, 40"},
     Spoilt{"MaskBeyondTheMirror", "outer_radius_px: 175", "outer_radius_px: 182", "22:3",
@@ -105,6 +108,21 @@ TEST(LoadCamera, NamesTheProfileThatIsNotThere) {
             path.string() + ":10:3: key 'profile.profile_csv': found no file " +
                 (folder.path() / "eye.csv").string() +
                 ", expected the path of a file, relative to this one");
+}
+
+TEST(LoadCamera, RefusesATableOfClassesThatIsNone) {
+  const TemporaryFolder folder;
+  const auto table = folder.write("eye-classes.bin", "teamsight");
+  const auto path = folder.write(
+      "eye.textproto",
+      spoil(kRadialCamera,
+            {"", "black_max_y: 50", "black_max_y: 50 table: \"eye-classes.bin\"", "", "", "", ""}));
+
+  const std::string complaint = complaint_of([&] { std::ignore = load_camera(path); });
+
+  EXPECT_EQ(
+      complaint,
+      table.string() + ":1:1: found 9 bytes, expected a table of colour classes, 262188 bytes");
 }
 
 }  // namespace

@@ -138,5 +138,19 @@ TEST(SaveCamera, SaysThatAPlaceCannotBeWritten) {
   EXPECT_THAT(complaint, testing::StartsWith("/nowhere/eye.textproto:1:1: found a place that"));
 }
 
+TEST(SaveCamera, KeepsTheLightAndTheTrainedClasses) {
+  const TemporaryFolder folder;
+  vision::CameraParameters camera = radial_camera(folder);
+  camera.colours.light = vision::FieldColours{{87, 101, 94}, {200, 127, 129}};
+  camera.colours.table.assign(vision::kClassCells, vision::ColourClass::kNone);
+  camera.colours.table[vision::class_cell({87, 101, 94})] = vision::ColourClass::kGreen;
+  camera.colours.table.back() = vision::ColourClass::kBlack;
+
+  save_camera(folder.path() / "saved.textproto", camera);
+  const vision::CameraParameters again = load_camera(folder.path() / "saved.textproto");
+
+  EXPECT_EQ(again.colours, camera.colours);
+}
+
 }  // namespace
 }  // namespace teamsight::settings

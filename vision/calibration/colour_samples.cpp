@@ -2,11 +2,8 @@
 #include "vision/calibration/colour_samples.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -14,6 +11,8 @@
 
 #include "geometry/angle.hpp"
 #include "geometry/expect.hpp"
+#include "vision/field_colours.hpp"
+#include "vision/light_gains.hpp"
 #include "vision/pixel_reader.hpp"
 
 namespace teamsight::vision {
@@ -184,12 +183,7 @@ void set_luminance(const std::vector<LabelledColours>& labels, ColourParameters&
 
 // ---- light -------------------------------------------------------------------------------------
 
-/// Red, green, blue of BT.601 full range; not clamped.
-Eigen::Vector3d rgb_of(double y, double u, double v) {
-  const double cb = u - 128.0;
-  const double cr = v - 128.0;
-  return {y + 1.402 * cr, y - 0.344136 * cb - 0.714136 * cr, y + 1.772 * cb};
-}
+constexpr double kTypicalChroma = 50.0;  // of a ball or a shirt
 
 Eigen::Vector2d chroma_of(const Eigen::Vector3d& rgb) {
   return {128.0 - 0.168736 * rgb.x() - 0.331264 * rgb.y() + 0.5 * rgb.z(),
@@ -203,18 +197,6 @@ Eigen::Vector3d typical_rgb(double u, double v) {
   rgb.array() -= std::max(0.0, rgb.maxCoeff() - 255.0);
   return rgb.cwiseMax(0.0);
 }
-
-// ---- carpet and paint --------------------------------------------------------------------------
-
-constexpr double kTypicalChroma = 50.0;  // of a ball or a shirt
-
-constexpr int kBin = 4;  // of chroma
-constexpr int kBins = 256 / kBin;
-constexpr double kCarpetShare = 0.1;  // of the floor, around the most frequent chroma
-constexpr int kNear = 10;             // of chroma: this is carpet
-constexpr int kBrighter = 35;         // grey levels over the carpet
-constexpr int kSaturated = 245;
-constexpr std::size_t kFewestPaint = 50;  // pixels
 
 std::vector<SampledColour> floor_pixels(const ImageView& image,
                                         const Pixel& centre,
@@ -232,39 +214,6 @@ std::vector<SampledColour> floor_pixels(const ImageView& image,
     }
   }
   return floor;
-}
-
-// Grey is no carpet, paint, body and people are grey; nor is what is more red than green.
-bool may_be_carpet(int u, int v) {
-  return v < 124 && std::hypot(u - 128, v - 128) > 8.0;
-}
-
-// The floor's pixels around its most frequent chroma; none if that is not frequent at all.
-std::vector<SampledColour> carpet_in(const std::vector<SampledColour>& floor) {
-  std::array<std::size_t, std::size_t{kBins} * kBins> votes{};
-  for (const SampledColour& p : floor) {
-    if (may_be_carpet(p.u, p.v)) ++votes.at(std::size_t{p.u} / kBin * kBins + p.v / kBin);
-  }
-  const auto best = static_cast<std::size_t>(std::ranges::max_element(votes) - votes.begin());
-  const int u = static_cast<int>(best / kBins) * kBin + kBin / 2;
-  const int v = static_cast<int>(best % kBins) * kBin + kBin / 2;
-  std::vector<SampledColour> carpet;
-  std::ranges::copy_if(floor, std::back_inserter(carpet), [&](const SampledColour& p) {
-    return std::abs(p.u - u) < kNear && std::abs(p.v - v) < kNear && may_be_carpet(p.u, p.v);
-  });
-  const double least = kCarpetShare * static_cast<double>(floor.size());
-  if (static_cast<double>(carpet.size()) < least) carpet.clear();
-  return carpet;
-}
-
-std::vector<SampledColour> paint_in(const std::vector<SampledColour>& floor,
-                                    const SampledColour& green) {
-  std::vector<SampledColour> paint;
-  std::ranges::copy_if(floor, std::back_inserter(paint), [&](const SampledColour& p) {
-    const double off = std::hypot(p.u - green.u, p.v - green.v);
-    return p.y > green.y + kBrighter && p.y < kSaturated && off > 0.5 * kNear;
-  });
-  return paint;
 }
 
 }  // namespace
@@ -333,18 +282,8 @@ std::optional<FieldColours> field_colours(const ImageView& image,
                                           const Pixel& centre,
                                           double inner_px,
                                           double outer_px) {
-  const std::vector<SampledColour> floor = floor_pixels(image, centre, inner_px, outer_px);
-  const std::vector<SampledColour> carpet = carpet_in(floor);
-  if (carpet.empty()) return std::nullopt;
-  FieldColours found;
-  found.green = median(carpet);
-  std::vector<SampledColour> paint = paint_in(floor, found.green);
-  if (paint.size() < kFewestPaint) return std::nullopt;
-  // The brightest third: what is less bright is mixed with carpet.
-  std::ranges::sort(paint, std::greater<>(), &SampledColour::y);
-  paint.resize(std::max(kFewestPaint, paint.size() / 3));
-  found.white = median(paint);
-  return found;
+  const auto found = FieldColourMeter().measure(floor_pixels(image, centre, inner_px, outer_px));
+  return found && !is_saturated(found->white) ? found : std::nullopt;
 }
 
 ColourParameters balanced(const ColourParameters& before, const FieldColours& now) {

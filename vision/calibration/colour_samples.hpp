@@ -15,13 +15,6 @@
 
 namespace teamsight::vision {
 
-/// A pixel's colour: luminance and chroma, BT.601 full range.
-struct SampledColour {
-  std::uint8_t y{0};
-  std::uint8_t u{128};
-  std::uint8_t v{128};
-};
-
 /// Pixels of one place that somebody says show this class; kWhite and kBlack are allowed.
 struct LabelledColours {
   ColourClass colour{ColourClass::kNone};
@@ -59,17 +52,11 @@ struct ColourConflict {
 [[nodiscard]] Result<ColourParameters, ColourConflict> colours_from(
     const ColourParameters& before, const std::vector<LabelledColours>& places);
 
-/// The two colours every field has.
-struct FieldColours {
-  SampledColour green;  ///< median of the carpet
-  SampledColour white;  ///< median of the paint
-};
-
 /// Finds the carpet as the most frequent chroma of the floor, and the paint as what is much
 /// brighter and not saturated, without asking any class.
 ///
 /// @param inner_px, outer_px  radii between which the image shows floor
-/// @return nothing if no chroma stands out or nothing is brighter than it
+/// @return nothing if no chroma stands out, nothing is brighter than it, or the paint is saturated
 [[nodiscard]] std::optional<FieldColours> field_colours(const ImageView& image,
                                                         const Pixel& centre,
                                                         double inner_px,
