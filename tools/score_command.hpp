@@ -20,6 +20,10 @@ void add_score_detect_command(CLI::App& score, int& exit_code);
 /// 2 on bad input.
 void add_score_locate_command(CLI::App& score, int& exit_code);
 
+/// Adds `score rendered`: one JSON line per pixel format and light, without and with following it.
+/// Exit code 0, 2 on bad input.
+void add_score_rendered_command(CLI::App& score, int& exit_code);
+
 /// Adds `score fuse`: one JSON line per scenario and estimator. Exit code 0, 2 on bad input.
 void add_score_fuse_command(CLI::App& score, int& exit_code);
 

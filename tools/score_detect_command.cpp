@@ -1,6 +1,5 @@
 // tools/score_detect_command.cpp: detections in labelled images, counted by series and by team.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -12,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
-#include "tools/detection_score.hpp"
+#include "tools/detection_report.hpp"
 #include "tools/labelled_images.hpp"
 #include "tools/score_command.hpp"
 #include "tools/sight_drawing.hpp"
@@ -32,64 +31,15 @@ struct ScoreDetectOptions {
   bool series_out{false};
 };
 
-/// Both kinds of things in one set of images.
-struct Score {
-  Tally balls;
-  Tally robots;
-  Tally people;
-};
-
-ordered_json entry_of(const Tally& tally) {
-  const Interval recall = wilson(tally.found, tally.labelled);
-  const Interval precision = wilson(tally.found, tally.found + tally.wrong);
-  std::vector<double> errors = tally.errors_px;
-  std::ranges::sort(errors);
-  ordered_json entry;
-  entry["labelled"] = tally.labelled;
-  entry["found"] = tally.found;
-  entry["false_on_carpet"] = tally.wrong;
-  entry["off_carpet"] = tally.outside;
-  entry["recall"] = tally.recall();
-  entry["recall_95"] = {recall.low, recall.high};
-  entry["precision"] = tally.precision();
-  entry["precision_95"] = {precision.low, precision.high};
-  entry["median_error_px"] =
-      errors.empty() ? ordered_json() : ordered_json(errors[errors.size() / 2]);
-  return entry;
-}
-
 void print(const std::string& kind, const std::string& name, const Score& score) {
   ordered_json line;
   line[kind] = name;
-  line["balls"] = entry_of(score.balls);
-  line["robots"] = entry_of(score.robots);
-  line["people"] = {{"labelled", score.people.labelled}, {"found", score.people.found}};
+  line.update(report_of(score));
   std::cout << line.dump() << std::endl;
-}
-
-Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen) {
-  std::vector<Detection> balls;
-  for (const vision::BallPixels& ball : seen.ball_pixels) {
-    balls.push_back({ball.u_px, ball.v_px, ball.on_carpet});
-  }
-  std::vector<Detection> obstacles;
-  std::vector<Detection> robots;
-  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
-    obstacles.push_back({foot.u_px, foot.v_px, foot.on_carpet});
-    if (foot.kind == vision::ObstacleKind::kRobot) robots.push_back(obstacles.back());
-  }
-  return {
-      score_balls(labels, balls), score_robots(labels, robots), score_people(labels, obstacles)};
 }
 
 /// Scores of sets of images, by their name.
 using Scores = std::map<std::string, Score>;
-
-void add(Scores& scores, const std::string& name, const Score& score) {
-  scores[name].balls += score.balls;
-  scores[name].robots += score.robots;
-  scores[name].people += score.people;
-}
 
 void draw(const std::filesystem::path& folder, const std::string& image, const Viewed& viewed) {
   // Teams number their images alike: the folders' names tell them apart.
@@ -110,7 +60,7 @@ int score_detect(const ScoreDetectOptions& options) {
   std::map<std::string, Viewer> viewers;
   Scores by_series;
   Scores by_team;
-  Scores all;
+  Score all;
   for (const auto& [labels, rule] : images) {
     const std::string camera =
         options.only_camera.empty() ? rule.camera.string() : options.only_camera;
@@ -126,14 +76,14 @@ int score_detect(const ScoreDetectOptions& options) {
             .first;
     const Viewed viewed = viewer->second.look(options.folder.data / labels.image, {});
     const Score score = score_of(labels, *viewed.seen);
-    add(by_series, rule.series, score);
-    add(by_team, labels.image.substr(0, labels.image.find('/')), score);
-    add(all, "images", score);
+    by_series[rule.series] += score;
+    by_team[labels.image.substr(0, labels.image.find('/'))] += score;
+    all += score;
     if (!options.draw.empty()) draw(options.draw, labels.image, viewed);
   }
   for (const auto& [name, score] : by_series) print("series", name, score);
   for (const auto& [name, score] : by_team) print("team", name, score);
-  print("all", "images", all["images"]);
+  print("all", "images", all);
   return 0;
 }
 

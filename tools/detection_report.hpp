@@ -1,0 +1,26 @@
+// tools/detection_report.hpp: what was seen in images against their labels, as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "tools/detection_score.hpp"
+#include "vision/perception.hpp"
+
+namespace teamsight::tools {
+
+/// All kinds of things in one set of images.
+struct Score {
+  Tally balls;
+  Tally robots;
+  Tally people;
+
+  Score& operator+=(const Score& other);
+};
+
+[[nodiscard]] Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen);
+
+/// Counts, recall and precision with their 95 % intervals, and the median error in pixels, of balls
+/// and robots; of people how many were found.
+[[nodiscard]] nlohmann::ordered_json report_of(const Score& score);
+
+}  // namespace teamsight::tools
