@@ -53,7 +53,8 @@ std::optional<StreamHeader> decode_stream_header(std::span<const std::uint8_t> b
   StreamHeader header;
   header.width_px = get<std::uint32_t>(bytes, 4);
   header.height_px = get<std::uint32_t>(bytes, 8);
-  if (!format.has_value() || !is_plausible(header.width_px) || !is_plausible(header.height_px)) {
+  if (!format.has_value() || !is_plausible(header.width_px) || !is_plausible(header.height_px) ||
+      !vision::has_even_size(*format, header.width_px, header.height_px)) {
     return std::nullopt;
   }
   header.format = *format;

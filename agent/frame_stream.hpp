@@ -35,7 +35,7 @@ using StreamHeaderBytes = std::array<std::uint8_t, kStreamHeaderBytes>;
 /// Reads a header.
 ///
 /// @return nothing if these bytes are none: wrong magic number, unknown format, a size that
-///         cannot be
+///         cannot be, or not in this format
 [[nodiscard]] std::optional<StreamHeader> decode_stream_header(std::span<const std::uint8_t> bytes);
 
 /// How many bytes of picture follow a header.

@@ -45,7 +45,7 @@ constexpr std::array<Format, 5> kFormats{{{"YUYV", PixelFormat::kYuyv},
                                           {"BGR", PixelFormat::kBgr}}};
 
 struct Light {
-  const char* name;
+  const char* name{""};
   LightGains gains;  ///< of what the camera shows
 };
 

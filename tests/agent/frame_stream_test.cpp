@@ -54,11 +54,14 @@ TEST(StreamHeader, IsRefusedWithAnotherMagicNumberFormatOrSize) {
   empty.width_px = 0;
   StreamHeader huge = small_header();
   huge.height_px = 100000;
+  StreamHeader odd = small_header();
+  odd.width_px = 5;  // two pixels share their chroma
 
   EXPECT_FALSE(decode_stream_header(magic).has_value());
   EXPECT_FALSE(decode_stream_header(format).has_value());
   EXPECT_FALSE(decode_stream_header(encode_stream_header(empty)).has_value());
   EXPECT_FALSE(decode_stream_header(encode_stream_header(huge)).has_value());
+  EXPECT_FALSE(decode_stream_header(encode_stream_header(odd)).has_value());
   EXPECT_FALSE(decode_stream_header({}).has_value());
 }
 
