@@ -32,6 +32,7 @@
 #include "monitor/what_if.hpp"
 #include "process/air_share.hpp"
 #include "process/domains.hpp"
+#include "process/elsewhere.hpp"
 #include "process/meter.hpp"
 #include "process/program.hpp"
 #include "process/supervision.hpp"
@@ -288,6 +289,7 @@ int run(const Options& options) {
   process::AirShare air(participant, "monitor");
   const FieldModel field = field_of(options, team);
   OwnHearing hearing(participant, feeds, loop);
+  process::Elsewhere elsewhere(team, options.domains);
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   WhatIf what_if(fusion_parameters(team), field);
@@ -318,6 +320,7 @@ int run(const Options& options) {
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
     station.note_versions(feeds.others.present(), bus::host_now());
+    station.note_domains(elsewhere.others(!station.alive().empty(), bus::host_now()));
     bus::Diagnostics report = hearing.report(described(meter, server), station, bus::host_now());
     air.tell(report);
     diagnostics.write(report);

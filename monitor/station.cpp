@@ -371,7 +371,9 @@ std::string Station::silence(const Update& update) const {
       return heard + " heard, but the leading fusion fell silent and none took over";
     return heard + " heard, but no fusion: is teamsight-fusion running?";
   }
-  if (!update.robots.empty()) return "Every robot fell silent";
+  const std::string elsewhere =
+      other_domains_.empty() ? "" : ". This network carries " + other_domains_;
+  if (!update.robots.empty()) return "Every robot fell silent" + elsewhere;
   if (!other_versions_.empty()) {
     return "On " + parameters_.where + " somebody speaks " + other_versions_ + kOtherVersion;
   }
@@ -381,7 +383,7 @@ std::string Station::silence(const Update& update) const {
            ", but every one was dropped: " + update.rejected.front().name;
   }
   return "Nothing heard yet on " + parameters_.where +
-         ": are the robots on, in this domain, with this version?";
+         ": are the robots on, in this domain, with this version?" + elsewhere;
 }
 
 }  // namespace teamsight::monitor

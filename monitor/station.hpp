@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bus/messages.hpp"
@@ -56,6 +57,9 @@ class Station {
 
   /// The other versions of the topics that are spoken in the domain now, e.g. "v2".
   void note_versions(const std::set<std::string>& others, HostTime now);
+
+  /// Who announces himself in other domains now, e.g. "domain 22 (blue)"; empty: nobody.
+  void note_domains(std::string others) { other_domains_ = std::move(others); }
 
   /// What a reader has dropped until now.
   void count(std::string_view topic, const bus::ReadCounters& counters);
@@ -129,6 +133,7 @@ class Station {
   std::map<std::string, std::uint64_t, std::less<>> rejected_;
   std::vector<bus::Thumbnail> thumbnails_;
   std::string other_versions_;  ///< e.g. "v2"; empty: none
+  std::string other_domains_;
   OtherStations other_stations_;
   std::vector<Event> events_;
 };

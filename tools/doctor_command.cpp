@@ -20,6 +20,7 @@
 #include "bus/profile.hpp"
 #include "bus/reader.hpp"
 #include "process/domains.hpp"
+#include "process/elsewhere.hpp"
 #include "process/program.hpp"
 #include "settings/load.hpp"
 #include "tools/doctor_findings.hpp"
@@ -150,9 +151,12 @@ Observed look(const Options& options) {
   const std::string tag = options.domains.host_tag.empty()
                               ? process::default_host_tag(robot.team, robot.id)
                               : options.domains.host_tag;
+  bus::OtherDomains others;
   const auto team = bus::Participant::join(domain);
   const auto host = bus::Participant::join(process::host_domain(robot.team, options.domains, tag));
   Ear(team, host).listen(from_seconds(options.seconds), seen);
+  seen.other_domains = bus::to_text(
+      process::without_own(others.heard(bus::host_now()), robot.team, options.domains));
   return seen;
 }
 

@@ -122,9 +122,11 @@ Finding multicast(const Observed& seen) {
         "others are discovered, their samples do not arrive",
         "the network drops multicast: allow IGMP on the switch, or config/dds/unicast.xml");
   }
+  const std::string elsewhere =
+      seen.other_domains.empty() ? "" : "; this network carries " + seen.other_domains;
   return wrong(
       "network",
-      fmt::format("nobody else on domain {} with {}", seen.domain_id, seen.profile),
+      fmt::format("nobody else on domain {} with {}{}", seen.domain_id, seen.profile, elsewhere),
       "if others are on: right interface in the profile? multicast allowed? same team name?");
 }
 

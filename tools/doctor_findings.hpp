@@ -39,6 +39,7 @@ struct Observed {
   std::string rival;                         ///< the other computer that speaks under its id
   std::set<RobotId> expected;                ///< whom the operator expects; empty: whoever is there
   std::uint32_t state_writers{0};            ///< of RobotState that discovery found
+  std::string other_domains;                 ///< announced on this network; empty: none
   std::optional<RobotId> leader;             ///< whose world model came over the air
   bool own_fusion{false};                    ///< the own host's world model was heard
   std::map<RobotId, Duration> clock_sigmas;  ///< by the leader; 0 = it has not measured that one

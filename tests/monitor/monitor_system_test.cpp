@@ -132,6 +132,18 @@ TEST_F(Monitor, BeginsWithTheFieldAndSaysWhyNothingShows) {
   EXPECT_THAT(first.silence(), HasSubstr("Nothing heard yet on domain"));
 }
 
+TEST_F(Monitor, NamesTheDomainOfSomebodyElseWhileItHearsNobody) {
+  const auto red = bus::Participant::join(
+      {test::unique_domain(), test::source_path("config/dds/loopback.xml"), "red"});
+  test::Watcher watcher(host());
+  std::string last;
+
+  EXPECT_TRUE(watch(watcher, kStart, [&](const v1::MonitorUpdate& update) {
+    last = update.silence();
+    return last.find("This network carries domain ") != std::string::npos;
+  })) << last;
+}
+
 TEST_F(Monitor, DoesNotTakeItsOwnPauseForTheRobots) {
   const ChildProcess robot1 = fake("robot", "1");
   const ChildProcess robot2 = fake("robot", "2");

@@ -13,6 +13,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -104,6 +105,17 @@ TEST(Station, SaysThatAnotherVersionOfTheTopicsIsSpoken) {
   EXPECT_THAT(update.silence, HasSubstr("On domain 7 somebody speaks v2 of the topics"));
   EXPECT_EQ(update.events.size(), 1U);
   EXPECT_THAT(station.update(kStart + seconds(2)).silence, HasSubstr("Nothing heard yet"));
+}
+
+TEST(Station, SaysWhichOtherDomainsThereAreWhileNothingIsHeard) {
+  StationParameters parameters;
+  parameters.where = "domain 7";
+  Station station(parameters);
+  station.note_domains("domain 20 (blue)");
+
+  EXPECT_THAT(station.update(kStart).silence, EndsWith(". This network carries domain 20 (blue)"));
+  station.note_domains("");
+  EXPECT_THAT(station.update(kStart).silence, EndsWith("with this version?"));
 }
 
 TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {

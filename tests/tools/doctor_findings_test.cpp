@@ -119,6 +119,9 @@ TEST(Doctor, TellsDroppedMulticastFromNobodyThere) {
 
   dropped.state_writers = 1;
   expect_only(dropped, "network", "interface");
+
+  dropped.other_domains = "domain 22 (red)";
+  EXPECT_THAT(about(dropped, "network").found, HasSubstr("this network carries domain 22 (red)"));
 }
 
 TEST(Doctor, SaysWhatElseIsWrong) {
