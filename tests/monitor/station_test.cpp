@@ -1,73 +1,19 @@
 // tests/monitor/station_test.cpp: what the operator is told, from samples and times alone.
-#include "monitor/station.hpp"
-
 #include <algorithm>
-#include <chrono>
 
 #include <gmock/gmock.h>
+
+#include "tests/monitor/station_samples.hpp"
 
 namespace teamsight::monitor {
 namespace {
 
-using std::chrono::milliseconds;
-using std::chrono::seconds;
 using ::testing::Contains;
 using ::testing::ElementsAre;
-using ::testing::EndsWith;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::SizeIs;
-
-const HostTime kStart{seconds(100)};
-
-template <class Message>
-bus::Sample<Message> sample_of(const Message& message, HostTime received, std::uint64_t instance) {
-  bus::Sample<Message> sample;
-  sample.message = message;
-  sample.instance = instance;
-  sample.received = received;
-  return sample;
-}
-
-/// One frame of a robot, exposed 30 ms and published 10 ms before it arrived.
-void hear_frame(
-    Station& station, RobotId robot, std::uint32_t sequence, HostTime at, std::uint32_t boot = 1) {
-  bus::RobotState state;
-  state.id = {robot, boot, sequence};
-  state.exposure = stamp_of(at - milliseconds(30));
-  state.published = stamp_of(at - milliseconds(10));
-  station.hear(sample_of(state, at, robot));
-  bus::Sightings sightings;
-  sightings.id = state.id;
-  sightings.exposure = state.exposure;
-  sightings.published = state.published;
-  station.hear(sample_of(sightings, at, robot));
-}
-
-void hear_world(Station& station,
-                RobotId leader,
-                HostTime at,
-                Quarantine quarantine = Quarantine::kNone) {
-  WorldModel world;
-  world.id = {leader, 1, 1};
-  WorldTeammate mate;
-  mate.robot = 1;
-  mate.quarantine = quarantine;
-  world.teammates.push_back(mate);
-  station.hear(sample_of(world, at, 1));
-}
-
-bus::Sample<bus::RobotState> presence_of(bus::Presence presence,
-                                         std::uint64_t instance,
-                                         HostTime at) {
-  bus::Sample<bus::RobotState> sample;
-  sample.presence = presence;
-  sample.instance = instance;
-  sample.received = at;
-  return sample;
-}
 
 auto event_with(const std::string& text) {
   return Contains(Field("text", &Event::text, HasSubstr(text)));
@@ -92,32 +38,6 @@ TEST(Station, ShowsVirtualSensorsWhileTheyCome) {
   EXPECT_FALSE(station.update(kStart + seconds(3)).robots.at(0).sensors.has_value());
 }
 
-TEST(Station, SaysThatAnotherVersionOfTheTopicsIsSpoken) {
-  StationParameters parameters;
-  parameters.where = "domain 7";
-  Station station(parameters);
-  station.note_versions({"v2"}, kStart);
-  station.note_versions({"v2"}, kStart + seconds(1));
-
-  const Update update = station.update(kStart + seconds(1));
-  station.note_versions({}, kStart + seconds(2));
-
-  EXPECT_THAT(update.silence, HasSubstr("On domain 7 somebody speaks v2 of the topics"));
-  EXPECT_EQ(update.events.size(), 1U);
-  EXPECT_THAT(station.update(kStart + seconds(2)).silence, HasSubstr("Nothing heard yet"));
-}
-
-TEST(Station, SaysWhichOtherDomainsThereAreWhileNothingIsHeard) {
-  StationParameters parameters;
-  parameters.where = "domain 7";
-  Station station(parameters);
-  station.note_domains("domain 20 (blue)");
-
-  EXPECT_THAT(station.update(kStart).silence, EndsWith(". This network carries domain 20 (blue)"));
-  station.note_domains("");
-  EXPECT_THAT(station.update(kStart).silence, EndsWith("with this version?"));
-}
-
 TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {
   StationParameters parameters;
   parameters.version = "0.1.0";
@@ -138,49 +58,6 @@ TEST(Station, NamesARobotThatRunsAnotherVersionOnce) {
                                         "Robot 2 runs version 0.0.9, this station 0.1.0");
                                   }),
             1);
-}
-
-TEST(Station, SaysThatNothingWasHeardAndWhere) {
-  StationParameters parameters;
-  parameters.where = "domain 7";
-  Station station(parameters);
-
-  const Update update = station.update(kStart);
-
-  EXPECT_THAT(update.silence, HasSubstr("Nothing heard yet on domain 7"));
-  EXPECT_THAT(update.robots, IsEmpty());
-  EXPECT_FALSE(update.world.has_value());
-}
-
-TEST(Station, NamesTheRobotsThatSpeakWithoutAFusion) {
-  Station station({});
-  hear_frame(station, 1, 1, kStart);
-  hear_frame(station, 3, 1, kStart);
-
-  const Update update = station.update(kStart + milliseconds(10));
-
-  EXPECT_THAT(update.silence, HasSubstr("Robots 1, 3 heard, but no fusion"));
-}
-
-TEST(Station, IsNotSilentWhileTheWorldIsFresh) {
-  Station station({});
-  hear_frame(station, 1, 1, kStart);
-  hear_world(station, 1, kStart);
-
-  EXPECT_THAT(station.update(kStart + milliseconds(900)).silence, IsEmpty());
-  EXPECT_THAT(station.update(kStart + milliseconds(1100)).silence, Not(IsEmpty()));
-}
-
-TEST(Station, SaysThatEverySampleWasDropped) {
-  Station station({});
-  bus::ReadCounters counters;
-  counters.rejected[static_cast<std::size_t>(bus::Reject::kBadCovariance)] = 4;
-  station.count("RobotState", counters);
-
-  const Update update = station.update(kStart);
-
-  EXPECT_THAT(update.silence, HasSubstr("RobotState.bad_covariance"));
-  EXPECT_THAT(update.rejected, ElementsAre(bus::Counter{"RobotState.bad_covariance", 4}));
 }
 
 TEST(Station, TellsOnceThatARobotJoined) {
