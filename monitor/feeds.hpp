@@ -6,6 +6,7 @@
 #include "bus/other_versions.hpp"
 #include "bus/participant.hpp"
 #include "bus/reader.hpp"
+#include "bus/writer.hpp"
 #include "monitor/order_desk.hpp"
 #include "monitor/station.hpp"
 #include "monitor/what_if.hpp"
@@ -24,6 +25,8 @@ struct Feeds {
         line_points(participant),
         thumbnails(participant),
         sensors(participant),
+        echoes(participant),
+        probes(participant),
         others(participant) {}
 
   void count(Station& station) const {
@@ -35,6 +38,7 @@ struct Feeds {
     station.count("LinePoints", line_points.counters());
     station.count("Thumbnail", thumbnails.counters());
     station.count("VirtualSensors", sensors.counters());
+    station.count("ClockEcho", echoes.counters());
   }
 
   /// Those whose writers speak all the time, or beside another topic.
@@ -54,6 +58,8 @@ struct Feeds {
   bus::Reader<bus::LinePoints> line_points;
   bus::Reader<bus::Thumbnail> thumbnails;
   bus::Reader<bus::VirtualSensors> sensors;
+  bus::Reader<bus::ClockEcho> echoes;
+  bus::Writer<bus::ClockProbe> probes;
   bus::OtherVersions others;
 };
 
@@ -92,6 +98,7 @@ inline void pass_on(
   pass_on(loop, feeds.line_points, station);
   pass_on(loop, feeds.thumbnails, station);
   pass_on(loop, feeds.sensors, station);
+  pass_on(loop, feeds.echoes, station);
 }
 
 }  // namespace teamsight::monitor

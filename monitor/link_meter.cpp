@@ -12,10 +12,6 @@ namespace {
 // 5 s at 100 Hz; a robot that sends faster is measured over a shorter time.
 constexpr std::size_t kMaxArrivals = 512;
 
-// No sample of this computer is under way for longer; another computer's clock started at another
-// time and is almost surely further off.
-constexpr Duration kLongestWay = std::chrono::seconds(2);
-
 Duration quantile(std::vector<Duration>& values, double share) {
   const std::ptrdiff_t rank = std::lround(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
@@ -25,16 +21,11 @@ Duration quantile(std::vector<Duration>& values, double share) {
 }  // namespace
 
 void LinkMeter::add(const ObservationId& id,
-                    PeerTime exposure,
-                    PeerTime published,
+                    std::optional<Duration> since_exposure,
                     HostTime received) {
   if (id.boot != boot_) arrivals_.clear();
   boot_ = id.boot;
-  const Duration way = stamp_of(received) - published;
-  arrivals_.push_back({id.sequence,
-                       received,
-                       stamp_of(received) - exposure,
-                       way >= Duration{0} && way <= kLongestWay});
+  arrivals_.push_back({id.sequence, received, since_exposure});
   if (arrivals_.size() > kMaxArrivals) arrivals_.pop_front();
   while (arrivals_.front().received + window_ < received) arrivals_.pop_front();
   ++received_;
@@ -61,8 +52,8 @@ void LinkMeter::set_latency(const std::deque<Arrival>::const_iterator& first,
                             LinkReport& report) const {
   std::vector<Duration> latencies;
   for (auto it = first; it != arrivals_.end(); ++it) {
-    if (!it->same_clock) return;
-    latencies.push_back(it->since_exposure);
+    if (!it->since_exposure) return;
+    latencies.push_back(*it->since_exposure);
   }
   report.latency_p50 = quantile(latencies, 0.50);
   report.latency_p95 = quantile(latencies, 0.95);

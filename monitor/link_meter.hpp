@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "geometry/identity.hpp"
 #include "geometry/time.hpp"
@@ -11,16 +12,16 @@
 namespace teamsight::monitor {
 
 /// Measures how one robot's Sightings arrive. Loss is what is missing in the sequence numbers.
-///
-/// Latency is told only while the stamps can be of this computer's clock: a sample that seems to
-/// arrive before it was published, or more than two seconds after, comes from another clock.
+/// Latency is told only while every frame within the window has one.
 class LinkMeter {
  public:
   /// @param window  over which the report is made, > 0
   explicit LinkMeter(Duration window) : window_(window) {}
 
   /// One frame arrived. A new boot id starts the measurement afresh.
-  void add(const ObservationId& id, PeerTime exposure, PeerTime published, HostTime received);
+  ///
+  /// @param since_exposure  nothing: the robot's clock is not known
+  void add(const ObservationId& id, std::optional<Duration> since_exposure, HostTime received);
 
   [[nodiscard]] LinkReport report(HostTime now) const;
 
@@ -28,8 +29,7 @@ class LinkMeter {
   struct Arrival {
     std::uint32_t sequence{0};
     HostTime received;
-    Duration since_exposure{0};
-    bool same_clock{false};
+    std::optional<Duration> since_exposure;
   };
 
   void set_latency(const std::deque<Arrival>::const_iterator& first, LinkReport& report) const;

@@ -162,8 +162,11 @@ process::ProcessMeter& described(process::ProcessMeter& meter, const WebServer& 
   return meter;
 }
 
-StationParameters station_parameters(const Options& options, const settings::TeamSettings& team) {
+StationParameters station_parameters(const Options& options,
+                                     const settings::TeamSettings& team,
+                                     std::uint32_t boot) {
   StationParameters parameters;
+  parameters.boot = boot;
   parameters.version = TEAMSIGHT_VERSION;
   parameters.where = "domain " +
                      std::to_string(options.domains.team_domain.value_or(team.domain_id)) +
@@ -238,7 +241,7 @@ int run_replay(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team);
   const std::string token = token_of(options);
   bus::Loop loop;
-  StationParameters parameters = station_parameters(options, team);
+  StationParameters parameters = station_parameters(options, team, process::draw_boot_id());
   parameters.version.clear();  // a recording may be of any
   Replay replay = load_replay(options.replay, parameters);
   if (!replay.damage.empty()) {
@@ -280,7 +283,7 @@ int run(const Options& options) {
   };
   auto participant = bus::Participant::join(process::team_domain(team, options.domains), goes_on);
   say_address(server, token);  // who cannot join ends, and has promised no page
-  Station station(station_parameters(options, team));
+  Station station(station_parameters(options, team, boot));
   OrderDesk desk(boot);
   Feeds feeds(participant);
   bus::Writer<bus::Diagnostics> diagnostics(participant);
@@ -319,6 +322,7 @@ int run(const Options& options) {
   });
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
+    feeds.probes.write(station.next_probe(bus::host_now()));
     station.note_versions(feeds.others.present(), bus::host_now());
     station.note_domains(elsewhere.others(!station.alive().empty(), bus::host_now()));
     bus::Diagnostics report = hearing.report(described(meter, server), station, bus::host_now());

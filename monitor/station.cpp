@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "monitor/silence.hpp"
+
 namespace teamsight::monitor {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr std::size_t kMaxThumbnailsPerUpdate = 8;
 
 // Two computers' monotonic clocks differ by more than this, unless both were just switched on.
 constexpr Duration kLongestWay = std::chrono::seconds(2);
-constexpr const char* kOtherVersion =
-    " of the topics, which this station does not hear: install the same packages everywhere";
 constexpr Duration kShown = std::chrono::seconds(2);
 
 constexpr std::string_view kAgentPrefix = "agent/";
@@ -46,18 +46,11 @@ std::string_view reason_of(Quarantine quarantine) {
   return "unknown";
 }
 
-std::string list_of(const std::vector<RobotId>& robots) {
-  std::string text;
-  for (const RobotId robot : robots) {
-    text += (text.empty() ? "" : ", ") + std::to_string(static_cast<unsigned>(robot));
-  }
-  return text;
-}
-
 }  // namespace
 
 Station::Station(StationParameters parameters)
     : parameters_(std::move(parameters)),
+      clocks_(kNobody, parameters_.boot),
       other_stations_(parameters_.other_station_gone_after) {}
 
 Station::Watch& Station::watch_of(RobotId robot) {
@@ -117,7 +110,7 @@ void Station::note_versions(const std::set<std::string>& others, HostTime now) {
   std::string text;
   for (const std::string& version : others) text += (text.empty() ? "" : ", ") + version;
   if (text == std::exchange(other_versions_, text) || text.empty()) return;
-  note(now, Level::kWarning, "Somebody here speaks " + text + kOtherVersion);
+  note(now, Level::kWarning, "Somebody here speaks " + text + kNotHeardHere);
 }
 
 bool Station::is_other_version(const bus::RobotState& state) const {
@@ -160,8 +153,16 @@ void Station::hear(const bus::Sample<bus::Sightings>& sample) {
   if (!sample.message) return;
   const bus::Sightings& sightings = *sample.message;
   Watch& watch = watch_of(sightings.id.robot);
-  watch.link.add(sightings.id, sightings.exposure, sightings.published, sample.received);
+  const HostTime received = sample.received;
+  const auto way = way_of(sightings.id.robot, sightings.published, received);
+  std::optional<Duration> since_exposure;
+  if (way) since_exposure = *way + (sightings.published - sightings.exposure);
+  watch.link.add(sightings.id, since_exposure, received);
   watch.sightings = sightings;
+}
+
+void Station::hear(const bus::Sample<bus::ClockEcho>& sample) {
+  if (sample.message) clocks_.take_echo(*sample.message, sample.received);
 }
 
 void Station::hear(const bus::Sample<bus::LinePoints>& sample) {
@@ -332,15 +333,26 @@ Update Station::update(HostTime now) {
   update.hint = hint_at(now);
   update.thumbnails = std::exchange(thumbnails_, {});
   update.events = std::exchange(events_, {});
-  update.silence = silence(update);
+  update.silence = silence_of(update, surroundings());
   return update;
 }
 
 Duration Station::world_information_age(HostTime now) const {
   if (!world_) return Duration{0};
-  const Duration way = stamp_of(world_heard_) - world_->stamp;
-  const bool is_plausible = way >= Duration{0} && way <= kLongestWay;
-  return now - world_heard_ + (is_plausible ? way : Duration{0});
+  const auto way = way_of(world_->id.robot, world_->stamp, world_heard_);
+  return now - world_heard_ + way.value_or(Duration{0});
+}
+
+// Since a sample was stamped, if the robot's clock is known: measured, or else taken to be this
+// computer's. A sample that seems to arrive before it was stamped, or seconds after, comes from
+// another clock.
+std::optional<Duration> Station::way_of(RobotId robot, PeerTime stamp, HostTime heard) const {
+  const auto clock = clocks_.estimate(robot, heard);
+  const Duration offset = clock ? clock->offset : Duration{0};
+  const Duration way = heard - to_host_time(stamp, offset);
+  const Duration slack = clock ? 3 * clock->sigma : Duration{0};
+  if (way < -slack || way > kLongestWay) return std::nullopt;
+  return std::max(way, Duration{0});
 }
 
 std::vector<const bus::RobotState*> Station::states() const {
@@ -351,39 +363,16 @@ std::vector<const bus::RobotState*> Station::states() const {
   return states;
 }
 
+Surroundings Station::surroundings() const {
+  return {parameters_.where, parameters_.world_late_after, other_versions_, other_domains_};
+}
+
 std::vector<RobotId> Station::alive() const {
   std::vector<RobotId> robots;
   for (const auto& [robot, watch] : robots_) {
     if (watch.alive) robots.push_back(robot);
   }
   return robots;
-}
-
-std::string Station::silence(const Update& update) const {
-  std::vector<RobotId> alive;
-  for (const RobotRow& row : update.robots) {
-    if (row.alive) alive.push_back(row.robot);
-  }
-  if (update.world && update.world_age <= parameters_.world_late_after) return {};
-  if (!alive.empty()) {
-    const std::string heard = (alive.size() == 1 ? "Robot " : "Robots ") + list_of(alive);
-    if (update.world)
-      return heard + " heard, but the leading fusion fell silent and none took over";
-    return heard + " heard, but no fusion: is teamsight-fusion running?";
-  }
-  const std::string elsewhere =
-      other_domains_.empty() ? "" : ". This network carries " + other_domains_;
-  if (!update.robots.empty()) return "Every robot fell silent" + elsewhere;
-  if (!other_versions_.empty()) {
-    return "On " + parameters_.where + " somebody speaks " + other_versions_ + kOtherVersion;
-  }
-  if (update.world) return "The world model is old, and no robot is heard";
-  if (!update.rejected.empty()) {
-    return "Samples arrive on " + parameters_.where +
-           ", but every one was dropped: " + update.rejected.front().name;
-  }
-  return "Nothing heard yet on " + parameters_.where +
-         ": are the robots on, in this domain, with this version?" + elsewhere;
 }
 
 }  // namespace teamsight::monitor

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,11 +13,13 @@
 #include "bus/messages.hpp"
 #include "bus/reader.hpp"
 #include "bus/reject.hpp"
+#include "fusion/service/clock_book.hpp"
 #include "geometry/identity.hpp"
 #include "geometry/time.hpp"
 #include "geometry/world_model.hpp"
 #include "monitor/link_meter.hpp"
 #include "monitor/other_stations.hpp"
+#include "monitor/silence.hpp"
 #include "monitor/update.hpp"
 
 namespace teamsight::monitor {
@@ -31,6 +34,7 @@ struct StationParameters {
   Duration duplicate_for{std::chrono::seconds(2)};  ///< how long a shared robot id is remembered
   std::string
       version;  ///< of this station; a robot that runs another is named. Empty: not compared
+  std::uint32_t boot{1};     ///< of this process, as others answer its questions; not 0
   bool is_recording{false};  ///< what it hears is over: a station that speaks in it is no other
   std::string where;  ///< named when nothing is heard, e.g. "domain 7 (config/teams/a.textproto)"
 };
@@ -51,6 +55,11 @@ class Station {
   void hear(const bus::Sample<bus::LinePoints>& sample);
   void hear(const bus::Sample<bus::Thumbnail>& sample);
   void hear(const bus::Sample<bus::VirtualSensors>& sample);
+  void hear(const bus::Sample<bus::ClockEcho>& sample);
+
+  /// The next question for the time of every robot's computer, to be written at once. Without
+  /// answers, stamps that can be of this computer's clock are taken to be so.
+  [[nodiscard]] bus::ClockProbe next_probe(HostTime now) { return clocks_.next_probe(now); }
 
   /// Something that happened elsewhere in the station, for the log.
   void note(HostTime stamp, Level level, std::string text);
@@ -70,8 +79,7 @@ class Station {
   /// The leader's newest; null: none yet. Valid until the next `hear`.
   [[nodiscard]] const WorldModel* world() const { return world_ ? &*world_ : nullptr; }
 
-  /// How old the world's stamp is: since it arrived, and on the way as far as its maker's clock can
-  /// be this computer's.
+  /// How old the world's stamp is: since it arrived, and on the way if its maker's clock is known.
   [[nodiscard]] Duration world_information_age(HostTime now) const;
 
   /// The newest state of every robot, by id. Valid until the next `hear`.
@@ -106,6 +114,7 @@ class Station {
   };
 
   Watch& watch_of(RobotId robot);
+  [[nodiscard]] std::optional<Duration> way_of(RobotId robot, PeerTime stamp, HostTime heard) const;
   void note_boot(RobotId robot, Watch& watch, std::uint32_t boot, HostTime now);
   void note_silence(RobotId robot, Watch& watch, HostTime now);
   void note_arrival(RobotId robot, Watch& watch, HostTime now);
@@ -117,9 +126,10 @@ class Station {
   [[nodiscard]] std::optional<bus::ExplainedHint> hint_at(HostTime now) const;
   void note_quarantines(const WorldModel& world, HostTime now);
   [[nodiscard]] RobotRow row_of(RobotId robot, const Watch& watch, HostTime now) const;
-  [[nodiscard]] std::string silence(const Update& update) const;
+  [[nodiscard]] Surroundings surroundings() const;
 
   StationParameters parameters_;
+  fusion::ClockBook clocks_;
   std::map<RobotId, Watch> robots_;
   std::map<std::uint64_t, RobotId> robot_of_instance_;
   std::optional<WorldModel> world_;

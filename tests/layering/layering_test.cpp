@@ -34,7 +34,8 @@ const std::vector<Layer> kLayers = {
     {"fusion/service/", {"geometry/", "settings/", "bus/", "process/", "fusion/"}},
     {"client/",         {"geometry/", "settings/", "bus/", "process/"}},
     {"recording/",      {"geometry/", "bus/"}},
-    {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/", "fusion/"}},  // to ask "what if"
+    {"monitor/",        {"geometry/", "settings/", "bus/", "process/", "recording/", "fusion/",  // to ask "what if"
+                         "fusion/service/clock_book.hpp"}},  // asks for the robots' time as a fusion does
     {"sim/match/",      {"geometry/"}},
     {"sim/render/",     {"geometry/", "sim/match/",
                          "vision/camera_parameters.hpp", "vision/image.hpp"}},  // numbers and formats: no geometry is shared
