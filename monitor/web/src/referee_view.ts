@@ -8,10 +8,10 @@ import type { Orders } from "./orders";
 const PHASES = ["", "before the game", "1st half", "half time", "2nd half", "over", "shoot-out"];
 const PIECES = ["", "kick-off", "free kick", "goal kick", "throw-in", "corner", "penalty", "drop ball", "parking"];
 
-/** What is played now, in words. */
+/** What is played now, in words; without box and command nobody has told the robots to stop either. */
 export function gameText(report: RefereeReport | undefined): string {
   const state = report?.state;
-  if (!state) return "no referee";
+  if (!state || (!report.hasBox && !report.lastCommand)) return "no game";
   const piece = PIECES[state.piece] ?? "";
   if (piece) return state.piece < 7 ? `${state.pieceIsOurs ? "our" : "their"} ${piece}` : piece;
   return state.running ? "running" : "stopped";

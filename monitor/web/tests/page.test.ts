@@ -336,7 +336,9 @@ describe("orders", () => {
 
     expect(gameText(update.referee)).toBe("our kick-off");
     expect(commandText(update.referee)).toBe("no command yet");
-    expect(gameText(undefined)).toBe("no referee");
+    expect(gameText(undefined)).toBe("no game");
+    expect(gameText(create(MonitorUpdateSchema, { referee: { state: {} } }).referee)).toBe("no game");
+    expect(gameText(create(MonitorUpdateSchema, { referee: { hasBox: true, state: {} } }).referee)).toBe("stopped");
     const told = (phase: number, lastCommand: string) => create(MonitorUpdateSchema, { referee: { hasBox: true, lastCommand, state: { phase, commandAgeMs: 3000 } } }).referee;
     expect(courseText(told(1, "before the game"))).toBe("before the game · 3.0 s ago");
     expect(courseText(told(2, "START"))).toBe("1st half · START · 3.0 s ago");
