@@ -17,7 +17,7 @@ struct AnnouncedDomain {
   std::uint32_t id{0};
   std::string tag;  ///< empty: none
 
-  friend auto operator<=>(const AnnouncedDomain&, const AnnouncedDomain&) = default;
+  friend auto operator<=>(const AnnouncedDomain&, const AnnouncedDomain&) = default;  // NOLINT
 };
 
 /// What an RTPS packet announces (RTPS 2.3, 8.5.3: the data of a participant).
