@@ -2,8 +2,10 @@
 #include "tools/detect_command.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
+#include "tools/contact_sheet.hpp"
+#include "tools/frame_drawing.hpp"
 #include "tools/sight_drawing.hpp"
 #include "tools/unknown_field.hpp"
 #include "tools/viewer.hpp"
 #include "vision/camera_model.hpp"
+#include "vision/colour_classes.hpp"
 
 namespace teamsight::tools {
 
@@ -26,6 +31,8 @@ struct DetectOptions {
   std::string camera;
   std::string field;
   std::string draw;
+  std::string classes;
+  std::string sheet;
   std::vector<std::string> images;
 };
 
@@ -164,17 +171,59 @@ ordered_json detection_line(const std::string& image, const Viewed& viewed) {
   return line;
 }
 
+/// Drawings of what was found, where they are asked for.
+class Drawings {
+ public:
+  Drawings(const DetectOptions& options,
+           const vision::CameraParameters& camera,
+           const FieldModel& field)
+      : options_(options),
+        camera_(camera),
+        field_(field),
+        colours_(camera.colours) {
+    if (!options.sheet.empty()) sheets_.emplace(options.sheet);
+    if (!options.classes.empty()) std::filesystem::create_directories(options.classes);
+  }
+
+  void add(const std::filesystem::path& image, const Viewed& viewed) {
+    const Shot shot{image, viewed.frame, camera_.sensors};
+    if (!options_.draw.empty()) draw_sight(options_.draw, shot, field_, *viewed.seen);
+    if (sheets_) sheets_->add(marked_frame(shot, *viewed.seen), image.filename().string());
+    if (options_.classes.empty()) return;
+    const std::string name = image.stem().string() + "-classes.png";
+    write_picture(std::filesystem::path(options_.classes) / name,
+                  class_picture(viewed.frame, colours_));
+  }
+
+  void finish() {
+    if (sheets_) sheets_->finish();
+  }
+
+ private:
+  const DetectOptions& options_;
+  const vision::CameraParameters& camera_;
+  const FieldModel& field_;
+  vision::ColourClasses colours_;
+  std::optional<ContactSheets> sheets_;
+};
+
 int detect(const DetectOptions& options) {
   const auto camera = settings::load_camera(options.camera);
   const bool has_field = !options.field.empty();
   const FieldModel field = has_field ? settings::load_field(options.field) : unknown_field();
-  Viewer viewer(camera, field);
-  for (const std::string& image : options.images) {
-    const Viewed viewed = viewer.look(image, {});
-    std::cout << detection_line(image, viewed).dump() << std::endl;
-    if (options.draw.empty()) continue;
-    draw_sight(options.draw, {image, viewed.frame, camera.sensors}, field, *viewed.seen);
+  std::vector<std::filesystem::path> images;
+  for (const std::string& path : options.images) {
+    const auto found = images_in(path);
+    images.insert(images.end(), found.begin(), found.end());
   }
+  Viewer viewer(camera, field);
+  Drawings drawings(options, camera, field);
+  for (const std::filesystem::path& image : images) {
+    const Viewed viewed = viewer.look(image, {});
+    std::cout << detection_line(image.string(), viewed).dump() << std::endl;
+    drawings.add(image, viewed);
+  }
+  drawings.finish();
   return 0;
 }
 
@@ -186,7 +235,13 @@ void add_detect_command(CLI::App& app, int& exit_code) {
   command->add_option("--camera", options->camera, "camera file")->required();
   command->add_option("--field", options->field, "field file; drops what stands off the carpet");
   command->add_option("--draw", options->draw, "folder for an SVG and a PNG of each image");
-  command->add_option("images", options->images, "pictures, or .raw dumps of the camera")
+  command->add_option(
+      "--classes", options->classes, "folder for each image beside its pixels' colour classes");
+  command->add_option(
+      "--sheet", options->sheet, "folder for contact sheets of all images with what was found");
+  command
+      ->add_option(
+          "images", options->images, "pictures, .raw dumps of the camera, or folders of them")
       ->required();
   command->callback([options, &exit_code] { exit_code = detect(*options); });
 }

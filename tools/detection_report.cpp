@@ -38,19 +38,31 @@ Score& Score::operator+=(const Score& other) {
   return *this;
 }
 
-Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen) {
+std::vector<Detection> ball_places(const vision::FrameObservation& seen) {
   std::vector<Detection> balls;
   for (const vision::BallPixels& ball : seen.ball_pixels) {
     balls.push_back({ball.u_px, ball.v_px, ball.on_carpet});
   }
-  std::vector<Detection> obstacles;
+  return balls;
+}
+
+std::vector<Detection> robot_places(const vision::FrameObservation& seen) {
   std::vector<Detection> robots;
   for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
-    obstacles.push_back({foot.u_px, foot.v_px, foot.on_carpet});
-    if (foot.kind == vision::ObstacleKind::kRobot) robots.push_back(obstacles.back());
+    if (foot.kind != vision::ObstacleKind::kRobot) continue;
+    robots.push_back({foot.u_px, foot.v_px, foot.on_carpet});
   }
-  return {
-      score_balls(labels, balls), score_robots(labels, robots), score_people(labels, obstacles)};
+  return robots;
+}
+
+Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen) {
+  std::vector<Detection> obstacles;
+  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
+    obstacles.push_back({foot.u_px, foot.v_px, foot.on_carpet});
+  }
+  return {score_balls(labels, ball_places(seen)),
+          score_robots(labels, robot_places(seen)),
+          score_people(labels, obstacles)};
 }
 
 ordered_json report_of(const Score& score) {

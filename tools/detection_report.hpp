@@ -1,6 +1,8 @@
 // tools/detection_report.hpp: what was seen in images against their labels, as JSON.
 #pragma once
 
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "tools/detection_score.hpp"
@@ -16,6 +18,12 @@ struct Score {
 
   Score& operator+=(const Score& other);
 };
+
+/// Where a frame shows balls.
+[[nodiscard]] std::vector<Detection> ball_places(const vision::FrameObservation& seen);
+
+/// Where a frame shows the feet of robots; legs are none.
+[[nodiscard]] std::vector<Detection> robot_places(const vision::FrameObservation& seen);
 
 [[nodiscard]] Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen);
 

@@ -165,6 +165,24 @@ Tally score_people(const ImageLabels& labels, const std::vector<Detection>& obst
   return tally;
 }
 
+std::vector<bool> balls_found(const ImageLabels& labels, const std::vector<Detection>& balls) {
+  Unmatched unmatched(balls);
+  std::vector<bool> found;
+  for (const LabelledBall& ball : labels.balls) {
+    found.push_back(unmatched.take(ball.u, ball.v, reach_of(ball)).has_value());
+  }
+  return found;
+}
+
+std::vector<bool> robots_found(const ImageLabels& labels, const std::vector<Detection>& obstacles) {
+  Unmatched unmatched(obstacles);
+  std::vector<bool> found;
+  for (const LabelledFoot& robot : labels.robots) {
+    found.push_back(unmatched.take(robot.u, robot.v, kFootReach).has_value());
+  }
+  return found;
+}
+
 std::vector<Verdict> judge_balls(const ImageLabels& labels, const std::vector<Detection>& balls) {
   Unmatched unmatched(balls);
   for (const LabelledBall& ball : labels.balls) {

@@ -50,6 +50,13 @@ enum class Verdict : std::uint8_t {
   kWrong,
 };
 
+/// Of each labelled ball, or robot, whether a detection is near enough, as in the verdicts;
+/// counting or not. A detection is for one label alone.
+[[nodiscard]] std::vector<bool> balls_found(const ImageLabels& labels,
+                                            const std::vector<Detection>& balls);
+[[nodiscard]] std::vector<bool> robots_found(const ImageLabels& labels,
+                                             const std::vector<Detection>& obstacles);
+
 /// In the order of `balls`: near enough is within the larger of a ball's radius and 4 px; excused
 /// is what is as near to a ball that does not count, or to one that another detection has taken.
 [[nodiscard]] std::vector<Verdict> judge_balls(const ImageLabels& labels,

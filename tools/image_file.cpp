@@ -2,6 +2,7 @@
 #include "tools/image_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -101,6 +102,23 @@ ImageFile read_dump(const std::filesystem::path& path, const vision::CameraParam
 
 bool is_raw_dump(const std::filesystem::path& path) {
   return path.extension() == ".raw";
+}
+
+std::vector<std::filesystem::path> images_in(const std::filesystem::path& path) {
+  if (!std::filesystem::is_directory(path)) return {path};
+  constexpr std::array<std::string_view, 5> kKinds{".png", ".jpg", ".jpeg", ".bmp", ".raw"};
+  std::vector<std::filesystem::path> images;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    const std::string kind = entry.path().extension().string();
+    if (std::ranges::find(kKinds, kind) != kKinds.end()) images.push_back(entry.path());
+  }
+  if (images.empty()) {
+    throw std::runtime_error(path.string() +
+                             ": found a folder without images, expected .png, .jpg, .jpeg, .bmp or "
+                             ".raw files in it");
+  }
+  std::ranges::sort(images);
+  return images;
 }
 
 ImageFile read_image(const std::filesystem::path& path, const vision::CameraParameters& camera) {

@@ -24,6 +24,11 @@ struct ImageFile {
 /// Whether the file is a dump of the camera's own bytes (extension .raw) rather than a picture.
 [[nodiscard]] bool is_raw_dump(const std::filesystem::path& path);
 
+/// The file itself; of a folder, its pictures and dumps (.png, .jpg, .jpeg, .bmp, .raw), by name.
+///
+/// @throws std::runtime_error if a folder has none, or cannot be read
+[[nodiscard]] std::vector<std::filesystem::path> images_in(const std::filesystem::path& path);
+
 /// Reads a frame that `camera` took: a .raw dump in the camera's format, or a picture (BGR).
 ///
 /// @throws std::runtime_error naming the file, what was found and what was expected: it cannot be

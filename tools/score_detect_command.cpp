@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include "settings/load.hpp"
+#include "tools/contact_sheet.hpp"
 #include "tools/detection_report.hpp"
+#include "tools/frame_drawing.hpp"
 #include "tools/labelled_images.hpp"
 #include "tools/score_command.hpp"
-#include "tools/sight_drawing.hpp"
 #include "tools/unknown_field.hpp"
 #include "tools/viewer.hpp"
 
@@ -27,6 +29,7 @@ using nlohmann::ordered_json;
 struct ScoreDetectOptions {
   LabelledFolder folder;
   std::string draw;
+  std::string sheet;
   std::string only_camera;
   bool series_out{false};
 };
@@ -41,12 +44,33 @@ void print(const std::string& kind, const std::string& name, const Score& score)
 /// Scores of sets of images, by their name.
 using Scores = std::map<std::string, Score>;
 
-void draw(const std::filesystem::path& folder, const std::string& image, const Viewed& viewed) {
-  // Teams number their images alike: the folders' names tell them apart.
-  std::string name = std::filesystem::path(image).replace_extension(".png").string();
-  std::replace(name.begin(), name.end(), '/', '_');
-  write_marked_frame(folder / name, {image, viewed.frame, {}}, *viewed.seen);
-}
+/// Pictures of what was found and what the labels say of it, where they are asked for.
+class JudgedPictures {
+ public:
+  explicit JudgedPictures(const ScoreDetectOptions& options) : folder_(options.draw) {
+    if (!folder_.empty()) std::filesystem::create_directories(folder_);
+    if (!options.sheet.empty()) sheets_.emplace(options.sheet);
+  }
+
+  void add(const ImageLabels& labels, const Viewed& viewed) {
+    if (folder_.empty() && !sheets_) return;
+    const Picture judged = judged_frame({labels.image, viewed.frame, {}}, *viewed.seen, labels);
+    if (sheets_) sheets_->add(judged, labels.image);
+    if (folder_.empty()) return;
+    // Teams number their images alike: the folders' names tell them apart.
+    std::string name = std::filesystem::path(labels.image).replace_extension(".png").string();
+    std::replace(name.begin(), name.end(), '/', '_');
+    write_picture(folder_ / name, judged);
+  }
+
+  void finish() {
+    if (sheets_) sheets_->finish();
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::optional<ContactSheets> sheets_;
+};
 
 int score_detect(const ScoreDetectOptions& options) {
   const std::vector<LabelledImage> images = read_labelled_images(options.folder);
@@ -56,7 +80,7 @@ int score_detect(const ScoreDetectOptions& options) {
     obstacles = obstacle_samples(options.folder.data, images);
     balls = ball_samples(options.folder.data, images);
   }
-  if (!options.draw.empty()) std::filesystem::create_directories(options.draw);
+  JudgedPictures pictures(options);
   std::map<std::string, Viewer> viewers;
   Scores by_series;
   Scores by_team;
@@ -79,8 +103,9 @@ int score_detect(const ScoreDetectOptions& options) {
     by_series[rule.series] += score;
     by_team[labels.image.substr(0, labels.image.find('/'))] += score;
     all += score;
-    if (!options.draw.empty()) draw(options.draw, labels.image, viewed);
+    pictures.add(labels, viewed);
   }
+  pictures.finish();
   for (const auto& [name, score] : by_series) print("series", name, score);
   for (const auto& [name, score] : by_team) print("team", name, score);
   print("all", "images", all);
@@ -105,7 +130,10 @@ void add_score_detect_command(CLI::App& score, int& exit_code) {
   command->add_flag("--series-out",
                     options->series_out,
                     "tell balls and robots by models trained on the other series only");
-  command->add_option("--draw", options->draw, "folder for a picture of each image");
+  command->add_option(
+      "--draw", options->draw, "folder for a picture of each image, with what labels say of it");
+  command->add_option(
+      "--sheet", options->sheet, "folder for contact sheets of all images, marked likewise");
   command->callback([options, &exit_code] { exit_code = score_detect(*options); });
 }
 

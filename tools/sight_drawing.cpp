@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <numbers>
 #include <stdexcept>
@@ -11,9 +10,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "tools/picture.hpp"
 #include "vision/camera_model.hpp"
 
 namespace teamsight::tools {
@@ -149,44 +147,6 @@ void draw_things(FieldCanvas& canvas, const FrameObservation& seen) {
   }
 }
 
-cv::Mat colour_picture(const ImageFile& frame) {
-  const int rows = static_cast<int>(frame.height_px);
-  const int columns = static_cast<int>(frame.width_px);
-  cv::Mat bytes(frame.bytes, true);
-  cv::Mat picture;
-  switch (frame.format) {
-    case vision::PixelFormat::kBgr:
-      return bytes.reshape(3, rows);
-    case vision::PixelFormat::kUyvy:
-      cv::cvtColor(bytes.reshape(2, rows), picture, cv::COLOR_YUV2BGR_UYVY);
-      break;
-    case vision::PixelFormat::kYuyv:
-      cv::cvtColor(bytes.reshape(2, rows), picture, cv::COLOR_YUV2BGR_YUYV);
-      break;
-    case vision::PixelFormat::kGrey:
-      cv::cvtColor(bytes.reshape(1, rows), picture, cv::COLOR_GRAY2BGR);
-      break;
-    case vision::PixelFormat::kNv12:
-      cv::cvtColor(bytes.reshape(1, rows + rows / 2), picture, cv::COLOR_YUV2BGR_NV12);
-      break;
-    // OpenCV names a mosaic by its second row's second and third pixel.
-    case vision::PixelFormat::kBayerRggb:
-      cv::cvtColor(bytes.reshape(1, rows), picture, cv::COLOR_BayerBG2BGR);
-      break;
-    case vision::PixelFormat::kBayerBggr:
-      cv::cvtColor(bytes.reshape(1, rows), picture, cv::COLOR_BayerRG2BGR);
-      break;
-    case vision::PixelFormat::kBayerGrbg:
-      cv::cvtColor(bytes.reshape(1, rows), picture, cv::COLOR_BayerGB2BGR);
-      break;
-    case vision::PixelFormat::kBayerGbrg:
-      cv::cvtColor(bytes.reshape(1, rows), picture, cv::COLOR_BayerGR2BGR);
-      break;
-  }
-  CV_Assert(picture.cols == columns);
-  return picture;
-}
-
 }  // namespace
 
 std::string field_drawing(const FieldModel& field,
@@ -215,65 +175,6 @@ std::string field_drawing(const FieldModel& field,
   return canvas.finished();
 }
 
-constexpr int kZoom = 2;   // so that a mark of one pixel does not hide what it marks
-constexpr int kShift = 4;  // OpenCV's fixed point: places are given in 1/16 pixel
-
-cv::Point place(double u_px, double v_px) {
-  constexpr double kScale = kZoom * (1 << kShift);
-  return {static_cast<int>(std::lround((u_px + 0.5) * kScale)),
-          static_cast<int>(std::lround((v_px + 0.5) * kScale))};
-}
-
-void mark_line_points(cv::Mat& picture, const FrameObservation& seen) {
-  const bool is_lost = seen.line_fits.size() != seen.line_points.size();
-  for (std::size_t i = 0; i < seen.line_points.size(); ++i) {
-    const bool fits = !is_lost && seen.line_fits[i];
-    const cv::Point p = place(seen.line_points[i].u_px, seen.line_points[i].v_px);
-    const cv::Scalar colour = fits ? cv::Scalar(0, 255, 0) : cv::Scalar(0, 0, 255);
-    cv::circle(picture, p, 2 << kShift, colour, 1, cv::LINE_AA, kShift);
-  }
-}
-
-void mark_things(cv::Mat& picture, const FrameObservation& seen) {
-  const cv::Scalar magenta(255, 0, 255);
-  const cv::Scalar cyan(255, 255, 0);
-  for (const vision::BallPixels& ball : seen.ball_pixels) {
-    const cv::Point p = place(ball.u_px, ball.v_px);
-    const int radius = static_cast<int>(std::lround((ball.r_px * kZoom + 3.0) * (1 << kShift)));
-    cv::circle(picture, p, radius, magenta, 2, cv::LINE_AA, kShift);
-  }
-  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
-    cv::circle(picture, place(foot.u_px, foot.v_px), 6 << kShift, cyan, 2, cv::LINE_AA, kShift);
-  }
-}
-
-void mark_sensors(cv::Mat& picture, const Shot& shot, const FrameObservation& seen) {
-  for (std::size_t i = 0; i < shot.sensors.size() && i < seen.sensors.size(); ++i) {
-    const cv::Scalar colour =
-        seen.sensors[i].triggered ? cv::Scalar(0, 0, 255) : cv::Scalar(255, 128, 0);
-    for (const vision::Polygon& window : shot.sensors[i].windows) {
-      std::vector<cv::Point> corners;
-      for (const vision::Corner& corner : window) corners.push_back(place(corner.u, corner.v));
-      cv::polylines(picture, corners, true, colour, 1, cv::LINE_AA, kShift);
-      const cv::Point name_at = corners.front() / (1 << kShift);
-      cv::putText(picture, seen.sensors[i].name, name_at, cv::FONT_HERSHEY_PLAIN, 0.8, colour);
-    }
-  }
-}
-
-void write_marked_frame(const std::filesystem::path& path,
-                        const Shot& shot,
-                        const FrameObservation& seen) {
-  cv::Mat picture;
-  cv::resize(colour_picture(shot.frame), picture, {}, kZoom, kZoom, cv::INTER_LINEAR);
-  mark_line_points(picture, seen);
-  mark_things(picture, seen);
-  mark_sensors(picture, shot, seen);
-  if (!cv::imwrite(path.string(), picture)) {
-    throw std::runtime_error(path.string() + ": cannot be written");
-  }
-}
-
 void draw_sight(const std::filesystem::path& folder,
                 const Shot& shot,
                 const FieldModel& field,
@@ -285,7 +186,7 @@ void draw_sight(const std::filesystem::path& folder,
   svg << field_drawing(field, seen, name);
   svg.close();
   if (!svg) throw std::runtime_error((folder / (name + ".svg")).string() + ": cannot be written");
-  write_marked_frame(folder / (name + ".png"), shot, seen);
+  write_picture(folder / (name + ".png"), marked_frame(shot, seen));
 }
 
 }  // namespace teamsight::tools

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 
 #include "geometry/field_model.hpp"
-#include "tools/image_file.hpp"
+#include "tools/frame_drawing.hpp"
 #include "vision/perception.hpp"
 
 namespace teamsight::tools {
@@ -17,21 +16,6 @@ namespace teamsight::tools {
 [[nodiscard]] std::string field_drawing(const FieldModel& field,
                                         const vision::FrameObservation& seen,
                                         const std::string& title);
-
-/// A frame, the file it came from, and the windows of its camera's virtual sensors.
-struct Shot {
-  std::filesystem::path image;
-  const ImageFile& frame;
-  std::span<const vision::SensorWindows> sensors;
-};
-
-/// Writes the frame with line points, balls, feet of obstacles and sensor windows marked: a window
-/// is red when its sensor triggers, else blue.
-///
-/// @throws std::runtime_error if the file cannot be written
-void write_marked_frame(const std::filesystem::path& path,
-                        const Shot& shot,
-                        const vision::FrameObservation& seen);
 
 /// Writes both drawings as DIR/NAME.svg and DIR/NAME.png, NAME being the image file's name.
 ///
