@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 namespace teamsight::vision {
@@ -18,6 +19,41 @@ float turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vect
   const Eigen::Vector2f way = b - a;
   const Eigen::Vector2f next = c - a;
   return way.x() * next.y() - way.y() * next.x();
+}
+
+// How far a place lies to the left of an edge.
+float left_of(const Eigen::Vector3f& edge, const ScanSample& sample) {
+  return edge.dot(Eigen::Vector3f(sample.x, sample.y, 1.0F));
+}
+
+// The edge through which the straight way from `inside` to `beyond` leaves a convex hull; null if
+// it does not.
+const Eigen::Vector3f* edge_crossed(const std::vector<Eigen::Vector3f>& edges,
+                                    const ScanSample& inside,
+                                    const ScanSample& beyond) {
+  const Eigen::Vector3f* crossed = nullptr;
+  float least = 1.0F;  // share of the way
+  for (const Eigen::Vector3f& edge : edges) {
+    const float last = left_of(edge, beyond);
+    if (last >= 0.0F) continue;
+    const float first = left_of(edge, inside);
+    const float share = first / (first - last);
+    if (crossed != nullptr && share >= least) continue;
+    least = share;
+    crossed = &edge;
+  }
+  return crossed;
+}
+
+// How many samples from the start of a line that begins inside the hull are inside. A radial line
+// is straight on the floor as well.
+std::size_t inside_count(const std::vector<Eigen::Vector3f>& edges,
+                         std::span<const ScanSample> line) {
+  const Eigen::Vector3f* edge = edge_crossed(edges, line.front(), line.back());
+  if (edge == nullptr) return line.size();
+  const auto end = std::ranges::partition_point(
+      line, [&](const ScanSample& sample) { return left_of(*edge, sample) >= 0.0F; });
+  return static_cast<std::size_t>(end - line.begin());
 }
 
 }  // namespace
@@ -84,10 +120,9 @@ void CarpetHull::find_edges() {
 }
 
 bool CarpetHull::is_inside(const ScanSample& sample) const {
-  if (hull_.size() < kFewestEnds) return false;
-  const Eigen::Vector3f place(sample.x, sample.y, 1.0F);
-  return std::ranges::all_of(edges_,
-                             [&](const Eigen::Vector3f& edge) { return edge.dot(place) >= 0.0F; });
+  return hull_.size() >= kFewestEnds && std::ranges::all_of(edges_, [&](const auto& edge) {
+           return left_of(edge, sample) >= 0.0F;
+         });
 }
 
 void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
@@ -97,11 +132,10 @@ void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
   ends_.clear();
   for (std::size_t i = 0; i < lines.radial().size(); ++i) {
     const auto line = lines.samples(lines.radial()[i]);
-    // The hull is convex and holds the line's last sample of carpet.
-    const auto behind = line.begin() + static_cast<std::ptrdiff_t>(scan.carpet_end(i));
-    const auto end = std::partition_point(
-        behind, line.end(), [&](const ScanSample& sample) { return is_inside(sample); });
-    ends_.push_back(static_cast<std::size_t>(end - line.begin()));
+    const std::size_t carpet_end = scan.carpet_end(i);
+    const bool goes_on = carpet_end < line.size() && is_inside(line[carpet_end]);
+    ends_.push_back(goes_on ? carpet_end + inside_count(edges_, line.subspan(carpet_end))
+                            : carpet_end);
   }
 }
 

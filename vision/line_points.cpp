@@ -2,8 +2,11 @@
 #include "vision/line_points.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
+
+#include "vision/lanes.hpp"
 
 namespace teamsight::vision {
 
@@ -12,6 +15,8 @@ namespace {
 constexpr float kBlur = 1.8F;        // px: what optics and interpolation add to a narrow line
 constexpr float kSteepness = 0.3F;   // of the contrast, that an edge must rise in two samples
 constexpr int kBase = 4;             // samples in which the floor beside an edge is looked for
+constexpr std::size_t kNarrow = 4;   // samples; no wider a bump may be as wide as it likes
+constexpr std::size_t kAsk = 16;     // samples after which a bump's width is looked at
 constexpr double kWidest = 1.6;      // of the paint's width: crossed at 50 degrees
 constexpr double kNarrowest = 0.45;  // of the paint's width
 constexpr double kCalibrationSigma = 0.25;  // px; what the camera model may be wrong by
@@ -54,36 +59,54 @@ float crossing(Profile profile, std::size_t i, float level) {
   return static_cast<float>(i) + std::clamp(t, 0.0F, 1.0F);
 }
 
+/// How far a bump may reach, and how bright it must be.
+struct BumpRules {
+  float widest{0.0F};    // m of floor
+  float contrast{0.0F};  // grey levels
+};
+
 /// The summit behind a rising edge.
 struct Summit {
+  float base{0.0F};  // of the floor before the edge, grey levels
   std::size_t top{0};
   std::size_t foot{0};  // first sample that is down again
 };
 
+// Whether two samples of a line lie more than `way` metres apart on the floor.
+bool are_apart(const ScanSample& a, const ScanSample& b, float way) {
+  const float x = b.x - a.x;
+  const float y = b.y - a.y;
+  return x * x + y * y > way * way;
+}
+
 // The highest sample behind the rising edge at `i`; nothing if the profile does not come down to
-// half height again within `widest` metres of floor.
-std::optional<Summit> summit_behind(Line line, Profile profile, std::size_t i, double widest) {
-  const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
-  const auto widest_square = static_cast<float>(widest * widest);
-  Summit summit{i, i + 1};
+// half height again within `widest` metres of floor, or does not rise by the contrast.
+std::optional<Summit> summit_behind(Line line,
+                                    Profile profile,
+                                    std::size_t i,
+                                    const BumpRules& rules) {
+  Summit summit{lowest(profile, i > kBase ? i - kBase : 0, i), i, i + 1};
   std::size_t& j = summit.foot;
-  for (; j < profile.size() && profile[j] > 0.5F * (left + profile[summit.top]); ++j) {
+  for (; j < profile.size() && profile[j] > 0.5F * (summit.base + profile[summit.top]); ++j) {
     if (profile[j] > profile[summit.top]) summit.top = j;
-    const float x = line[j].x - line[i].x;
-    const float y = line[j].y - line[i].y;
-    if (x * x + y * y > widest_square && j - i > 4) return std::nullopt;
+    // A line leads away from where it was: asked now and then, and at the end.
+    const bool is_asked = (j - i) % kAsk == 0;
+    if (is_asked && are_apart(line[i], line[j], rules.widest)) return std::nullopt;
   }
-  if (j >= profile.size() || summit.top == i) return std::nullopt;
-  return summit;
+  const bool is_whole = j < profile.size() && summit.top != i;
+  if (!is_whole || profile[summit.top] - summit.base < rules.contrast) return std::nullopt;
+  const std::size_t last = j - 1;
+  const bool is_wide = last > i + kNarrow && are_apart(line[i], line[last], rules.widest);
+  return is_wide ? std::nullopt : std::optional(summit);
 }
 
 // The bump whose rising edge is steepest at sample `i`.
-std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, double widest) {
-  const auto summit = summit_behind(line, profile, i, widest);
+std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, const BumpRules& rules) {
+  const auto summit = summit_behind(line, profile, i, rules);
   if (!summit) return std::nullopt;
   const std::size_t n = profile.size();
   const float peak = profile[summit->top];
-  const float left = lowest(profile, i > kBase ? i - kBase : 0, i);
+  const float left = summit->base;
   const float right = lowest(profile, summit->foot, std::min(summit->foot + kBase, n - 1));
   const float level_left = 0.5F * (left + peak);
   const float level_right = 0.5F * (right + peak);
@@ -94,6 +117,7 @@ std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, double wi
   if (rise == 0 || fall + 1 >= n) return std::nullopt;
   Bump bump;
   bump.contrast = peak - std::max(left, right);
+  if (bump.contrast < rules.contrast) return std::nullopt;
   bump.rise = crossing(profile, rise - 1, level_left);
   bump.fall = crossing(profile, fall, level_right);
   bump.end = fall + 1;
@@ -170,6 +194,27 @@ std::optional<LinePoint> point_of(Line line, const Bump& bump, const LineRules& 
   return point;
 }
 
+// Whether the profile rises by at least `least` about sample `i`, and nowhere steeper beside it.
+bool is_rise(Profile y, std::size_t i, float least) {
+  const float slope = y[i + 1] - y[i - 1];
+  return slope >= least && slope >= y[i] - y[i - 1] && slope >= y[i + 2] - y[i];
+}
+
+// The first such sample from `i` on; where there is none, one too near to the end for any.
+std::size_t next_rise(Profile y, std::size_t i, float least) {
+  for (; i + kLanes + 1 < y.size(); i += kLanes) {
+    const auto before = load_lanes<FourFloats>(&y[i - 1]);
+    const auto here = load_lanes<FourFloats>(&y[i]);
+    const FourFloats slope = load_lanes<FourFloats>(&y[i + 1]) - before;
+    const FourInts is_steepest = (slope >= least) & (slope >= here - before) &
+                                 (slope >= load_lanes<FourFloats>(&y[i + 2]) - here);
+    const std::uint32_t bits = bits_of(is_steepest);
+    if (bits != 0) return i + static_cast<std::size_t>(std::countr_zero(bits));
+  }
+  while (i + 2 < y.size() && !is_rise(y, i, least)) ++i;
+  return i;
+}
+
 }  // namespace
 
 void find_line_points(const PixelReader& pixels,
@@ -177,16 +222,14 @@ void find_line_points(const PixelReader& pixels,
                       const ScanProfile& scan,
                       const LineRules& rules,
                       std::vector<LinePoint>& points) {
-  const auto contrast = static_cast<float>(rules.min_contrast);
-  const double widest = 2.0 * kWidest * rules.line_width;
+  const BumpRules bumps{static_cast<float>(2.0 * kWidest * rules.line_width),
+                        static_cast<float>(rules.min_contrast)};
   const Profile y = scan.luminance;
-  for (std::size_t i = 1; i + 2 < y.size() && points.size() < kMaxLinePoints; ++i) {
-    const float slope = y[i + 1] - y[i - 1];
-    const bool is_steepest =
-        slope >= kSteepness * contrast && slope >= y[i] - y[i - 1] && slope >= y[i + 2] - y[i];
-    if (!is_steepest) continue;
-    const auto bump = bump_at(scan.samples, y, i, widest);
-    if (!bump || bump->contrast < contrast) continue;
+  const float steep = kSteepness * bumps.contrast;
+  for (std::size_t i = next_rise(y, 1, steep); i + 2 < y.size() && points.size() < kMaxLinePoints;
+       i = next_rise(y, i + 1, steep)) {
+    const auto bump = bump_at(scan.samples, y, i, bumps);
+    if (!bump) continue;
     i = std::max(i, bump->end);
     if (!has_carpet_beside(pixels, colours, scan.taps, *bump)) continue;
     if (const auto point = point_of(scan.samples, *bump, rules)) points.push_back(*point);

@@ -30,8 +30,10 @@ class ChromaReader {
                                              std::span<const SampleTap> taps);
 
  private:
+  /// Of the first `n` of `single_`, to `mean_`; a few more are written.
+  void average(std::size_t n);
+
   std::size_t window_;
-  std::uint32_t reciprocal_;
   std::vector<std::uint32_t> single_;  // u + (v << 16); half a window longer at both ends
   std::vector<Chroma> mean_;
 };

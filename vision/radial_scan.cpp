@@ -2,70 +2,36 @@
 #include "vision/radial_scan.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstdlib>
+
+#include "vision/lanes.hpp"
 
 namespace teamsight::vision {
 
 namespace {
 
-// Shares of the carpet's own luminance beside the sample.
-constexpr float kBlack = 0.56F;  // darker is dark whatever its colour: the mirror veils black green
-constexpr float kDark = 0.72F;
-constexpr float kVeiled = 0.7F;   // of the carpet's saturation
-constexpr float kStrong = 0.25F;  // chroma over luminance
-constexpr float kBright = 1.12F;
-constexpr float kShade = 0.8F;             // as dark a carpet still counts for the running level
 constexpr std::size_t kRealCarpet = 3;     // samples in a row
 constexpr std::size_t kOffCarpet = 16;     // samples without carpet or paint: it has ended
 constexpr std::size_t kLongestPaint = 60;  // samples; a line seen from its end
-constexpr float kSheen = 1.2F;             // and as bright a one
-constexpr float kForget = 0.12F;           // of the running level, per sample
-constexpr float kLeastRise = 6.0F;         // grey levels of paint over carpet
 
-/// One sample, and the carpet it is judged against.
-struct Look {
-  ColourClass colour{ColourClass::kNone};
-  float y{0.0F};
-  float chroma{0.0F};
-  float carpet{0.0F};      // luminance of the carpet beside it
-  float saturation{0.0F};  // of the frame's carpet: chroma over luminance
-};
+constexpr std::size_t kTogether = 8;  // samples whose chroma is measured at once
 
-Surface surface_of(const Look& look) {
-  const auto& [colour, y, chroma, carpet, saturation] = look;
-  if (y < kBlack * carpet) return Surface::kDark;
-  // A shadow on the carpet keeps its saturation, a robot's base that mirrors it does not.
-  if (y < kDark * carpet && colour == ColourClass::kGreen && chroma < kVeiled * saturation * y) {
-    return Surface::kDark;
-  }
-  switch (colour) {
-    case ColourClass::kGreen:
-      return Surface::kCarpet;
-    case ColourClass::kBall:
-      return Surface::kBall;
-    case ColourClass::kRed:
-    case ColourClass::kBlue:
-    case ColourClass::kMagenta:
-    case ColourClass::kCyan:
-      // Not the coloured fringe of a bright line.
-      if (chroma > kStrong * y && y < kBright * carpet + kLeastRise) return Surface::kShirt;
-      break;
-    default:
-      break;
-  }
-  if (y < kDark * carpet) return Surface::kDark;
-  // Over an overexposed carpet there is little room left.
-  const float bright = std::min(kBright * carpet + kLeastRise, 0.5F * (carpet + 255.0F));
-  return y > bright ? Surface::kPaint : Surface::kOther;
+EightShorts absolute(const EightShorts& lanes) {
+  const EightShorts sign = lanes < 0;
+  return (lanes ^ sign) - sign;
 }
 
-// Within 4 % of the Euclidean length.
-std::uint8_t chroma_length(Chroma chroma) {
-  const int du = std::abs(chroma.u - 128);
-  const int dv = std::abs(chroma.v - 128);
-  const int larger = std::max(du, dv);
-  return static_cast<std::uint8_t>(larger + std::min(du, dv) * 3 / 8);
+// Distances from grey, within 4 % of the Euclidean length.
+void measure_lengths(const std::array<Chroma, kTogether>& chromas, std::uint8_t* lengths) {
+  const auto pairs = load_lanes<EightHalves>(chromas.data());
+  const EightShorts du = absolute(std::bit_cast<EightShorts>(pairs & 0xFFU) - 128);
+  const EightShorts dv = absolute(std::bit_cast<EightShorts>(pairs >> 8U) - 128);
+  const EightShorts is_u = du > dv;
+  const EightShorts larger = (du & is_u) | (dv & ~is_u);
+  const EightShorts smaller = du + dv - larger;
+  store_lanes(__builtin_convertvector(larger + (smaller * 3 >> 3), EightBytes), lengths);
 }
 
 // The chroma in grey light as bright as the frame's.
@@ -78,6 +44,33 @@ Chroma without_cast(const SampledColour& restored, float exposure) {
   return {brighter(restored.u), brighter(restored.v)};
 }
 
+/// One line: what was read of it, and what is made of that.
+struct LineReading {
+  std::span<const float> luminance;
+  std::span<const Chroma> chroma;
+  std::span<ColourClass> classes;
+  std::span<std::uint8_t> chromas;  // longer by kTogether, which are written as well
+};
+
+void classify_line(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
+  const std::size_t n = line.classes.size();
+  const float exposure = colours.exposure();
+  std::array<Chroma, kTogether> uncast{};
+  for (std::size_t first = 0; first < n; first += kTogether) {
+    for (std::size_t i = first; i < std::min(first + kTogether, n); ++i) {
+      const auto y = static_cast<std::uint8_t>(line.luminance[i]);
+      const SampledColour restored = colours.restored(y, line.chroma[i]);
+      const ColourClass colour = colours.of(restored);
+      const Chroma chroma = without_cast(restored, exposure);
+      uncast[i - first] = chroma;
+      line.classes[i] = colour;
+      if (colour == ColourClass::kGreen) meter.add_green(line.luminance[i], chroma);
+    }
+    measure_lengths(uncast, &line.chromas[first]);
+  }
+  meter.add_samples(n);
+}
+
 }  // namespace
 
 RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
@@ -86,7 +79,8 @@ RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
   for (const ScanRange& range : lines.radial()) size = std::max(size, range.first + range.count);
   luminance_.resize(size);
   classes_.resize(size);
-  chromas_.resize(size);
+  chromas_.resize(size + kTogether);
+  levels_.resize(size);
   surfaces_.resize(size);
   carpet_ends_.reserve(lines.radial().size());
 }
@@ -94,35 +88,29 @@ RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
 void RadialScan::read(const PixelReader& pixels,
                       const ColourClasses& colours,
                       const ScanLines& lines) {
-  meter_.clear();
   classify(pixels, colours, lines);
   carpet_ = meter_.carpet();
+  judge(lines);
   carpet_ends_.clear();
-  for (const ScanRange& range : lines.radial()) {
-    judge(range);
-    carpet_ends_.push_back(find_carpet_end(range));
-  }
+  for (const ScanRange& range : lines.radial()) carpet_ends_.push_back(find_carpet_end(range));
 }
 
 void RadialScan::classify(const PixelReader& pixels,
                           const ColourClasses& colours,
                           const ScanLines& lines) {
+  CarpetMeter meter;  // on the stack its sums need not go through memory
   for (const ScanRange& range : lines.radial()) {
     const auto taps = lines.taps(range);
     const auto luminance = std::span(luminance_).subspan(range.first, range.count);
     read_luminance(pixels, taps, luminance);
-    const auto chroma = chroma_reader_.read(pixels, taps);
-    for (std::size_t i = 0; i < range.count; ++i) {
-      const SampledColour restored =
-          colours.restored(static_cast<std::uint8_t>(luminance[i]), chroma[i]);
-      const ColourClass colour = colours.of(restored);
-      const Chroma uncast = without_cast(restored, colours.exposure());
-      classes_[range.first + i] = colour;
-      chromas_[range.first + i] = chroma_length(uncast);
-      if (colour == ColourClass::kGreen) meter_.add_green(luminance[i], uncast);
-    }
-    meter_.add_samples(range.count);
+    classify_line(colours,
+                  {luminance,
+                   chroma_reader_.read(pixels, taps),
+                   std::span(classes_).subspan(range.first, range.count),
+                   std::span(chromas_).subspan(range.first, range.count + kTogether)},
+                  meter);
   }
+  meter_ = meter;
 }
 
 std::size_t RadialScan::find_carpet_end(const ScanRange& range) const {
@@ -142,15 +130,12 @@ std::size_t RadialScan::find_carpet_end(const ScanRange& range) const {
   return end;
 }
 
-void RadialScan::judge(const ScanRange& range) {
-  float level = carpet_.luminance;
+void RadialScan::judge(const ScanLines& lines) {
+  const float level = carpet_.luminance;
   const float saturation = level > 0.0F ? std::hypot(carpet_.u, carpet_.v) / level : 0.0F;
-  for (std::size_t i = range.first; i < range.first + range.count; ++i) {
-    const float y = luminance_[i];
-    surfaces_[i] = surface_of({classes_[i], y, static_cast<float>(chromas_[i]), level, saturation});
-    const bool alike = y > kShade * level && y < kSheen * level;
-    if (surfaces_[i] == Surface::kCarpet && alike) level += kForget * (y - level);
-  }
+  const ReadSamples samples{classes_, luminance_, std::span(chromas_).first(surfaces_.size())};
+  follow_carpet(samples, lines.radial(), level, levels_);
+  judge_surfaces(samples, levels_, saturation, surfaces_);
 }
 
 }  // namespace teamsight::vision

@@ -10,19 +10,9 @@
 #include "vision/line_reader.hpp"
 #include "vision/pixel_reader.hpp"
 #include "vision/scan_lines.hpp"
+#include "vision/surface.hpp"
 
 namespace teamsight::vision {
-
-/// What one sample shows, judged against the carpet beside it: dark and bright mean darker and
-/// brighter than that, so that a shaded corner or a vignetted rim changes nothing.
-enum class Surface : std::uint8_t {
-  kCarpet,
-  kPaint,  ///< bright and without colour: lines, but also walls, nets and white shoes
-  kDark,   ///< a robot's base, a shadowed leg, black furniture
-  kShirt,  ///< a strong colour that neither carpet nor ball has
-  kBall,   ///< the ball's colour
-  kOther,  ///< wood, skin, grey walls
-};
 
 /// The radial lines of one frame, read once for everything that looks at them. Its buffers are its
 /// only state.
@@ -58,13 +48,14 @@ class RadialScan {
 
  private:
   void classify(const PixelReader& pixels, const ColourClasses& colours, const ScanLines& lines);
-  void judge(const ScanRange& range);
+  void judge(const ScanLines& lines);
   [[nodiscard]] std::size_t find_carpet_end(const ScanRange& range) const;
 
   ChromaReader chroma_reader_;
   std::vector<float> luminance_;
   std::vector<ColourClass> classes_;
   std::vector<std::uint8_t> chromas_;  // distance from grey
+  std::vector<float> levels_;          // of the carpet beside
   std::vector<Surface> surfaces_;
   std::vector<std::size_t> carpet_ends_;
   CarpetMeter meter_;

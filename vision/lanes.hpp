@@ -1,0 +1,112 @@
+// vision/lanes.hpp: four values at once, as every processor with 16-byte registers computes them.
+//
+// The compiler's own vectors: arithmetic, comparisons and conversions of all four lanes; a
+// comparison gives -1 in the lanes where it holds, else 0.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace teamsight::vision {
+
+using FourFloats [[gnu::vector_size(16)]] = float;
+using FourInts [[gnu::vector_size(16)]] = std::int32_t;
+using FourWords [[gnu::vector_size(16)]] = std::uint32_t;
+using FourHalves [[gnu::vector_size(8)]] = std::uint16_t;
+using EightHalves [[gnu::vector_size(16)]] = std::uint16_t;
+using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
+using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
+
+inline constexpr std::size_t kLanes = 4;
+
+/// As many values as `Vector` has, from anywhere in memory.
+template <class Vector, class Value>
+[[nodiscard]] inline Vector load_lanes(const Value* from) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  Vector vector;
+  std::memcpy(&vector, static_cast<const void*>(from), sizeof(vector));
+  return vector;
+}
+
+template <class Vector, class Value>
+inline void store_lanes(const Vector& vector, Value* to) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  std::memcpy(static_cast<void*>(to), &vector, sizeof(vector));
+}
+
+/// Four bytes, one in each lane.
+template <class Byte>
+[[nodiscard]] inline FourInts load_bytes(const Byte* from) {
+  static_assert(sizeof(Byte) == 1);
+  std::uint32_t packed = 0;
+  std::memcpy(&packed, from, sizeof(packed));
+#ifdef __SSE2__
+  const __m128i zero = _mm_setzero_si128();
+  const __m128i bytes = _mm_cvtsi32_si128(static_cast<std::int32_t>(packed));
+  return reinterpret_cast<FourInts>(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
+#else
+  const FourWords shifted = FourWords{packed, packed >> 8U, packed >> 16U, packed >> 24U};
+  return std::bit_cast<FourInts>(shifted & 0xFFU);
+#endif
+}
+
+/// The lanes, each from 0 to 255, as bytes.
+template <class Byte>
+inline void store_bytes(const FourInts& lanes, Byte* to) {
+  static_assert(sizeof(Byte) == 1);
+#ifdef __SSE2__
+  const __m128i words = _mm_packs_epi32(reinterpret_cast<__m128i>(lanes), _mm_setzero_si128());
+  const std::int32_t packed = _mm_cvtsi128_si32(_mm_packus_epi16(words, words));
+#else
+  const std::int32_t packed = lanes[0] | lanes[1] << 8 | lanes[2] << 16 | lanes[3] << 24;
+#endif
+  std::memcpy(static_cast<void*>(to), &packed, sizeof(packed));
+}
+
+[[nodiscard]] inline FourFloats to_floats(const FourInts& lanes) {
+  return __builtin_convertvector(lanes, FourFloats);
+}
+
+/// Rounded towards 0.
+[[nodiscard]] inline FourInts to_ints(const FourFloats& lanes) {
+  return __builtin_convertvector(lanes, FourInts);
+}
+
+/// Lanes of `yes` where the claim holds (-1), else of `no`.
+template <class Vector>
+[[nodiscard]] inline Vector where(const FourInts& claim, const Vector& yes, const Vector& no) {
+  return std::bit_cast<Vector>((claim & std::bit_cast<FourInts>(yes)) |
+                               (~claim & std::bit_cast<FourInts>(no)));
+}
+
+/// One bit for each lane of a claim, the first lane's the lowest.
+[[nodiscard]] inline std::uint32_t bits_of(const FourInts& claim) {
+#ifdef __SSE2__
+  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(claim)));
+#else
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < kLanes; ++i) bits |= claim[i] != 0 ? 1U << i : 0U;
+  return bits;
+#endif
+}
+
+/// Rows to columns.
+inline void transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d) {
+  const FourFloats ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const FourFloats ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const FourFloats cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const FourFloats cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+}  // namespace teamsight::vision
