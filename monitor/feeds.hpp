@@ -1,4 +1,4 @@
-// monitor/feeds.hpp: the topics that the station listens to, and who hears them.
+// monitor/feeds.hpp: the topics that the station listens to, who hears them, and what it says.
 #pragma once
 
 #include "bus/clock.hpp"
@@ -26,7 +26,6 @@ struct Feeds {
         thumbnails(participant),
         sensors(participant),
         echoes(participant),
-        probes(participant),
         others(participant) {}
 
   void count(Station& station) const {
@@ -59,8 +58,19 @@ struct Feeds {
   bus::Reader<bus::Thumbnail> thumbnails;
   bus::Reader<bus::VirtualSensors> sensors;
   bus::Reader<bus::ClockEcho> echoes;
-  bus::Writer<bus::ClockProbe> probes;
   bus::OtherVersions others;
+};
+
+/// What the station itself says, beside the referee's game.
+struct Words {
+  explicit Words(const bus::Participant& participant)
+      : diagnostics(participant),
+        commands(participant),
+        probes(participant) {}
+
+  bus::Writer<bus::Diagnostics> diagnostics;
+  bus::Writer<bus::Command> commands;
+  bus::Writer<bus::ClockProbe> probes;
 };
 
 /// Hands every new sample to each of those who listen.

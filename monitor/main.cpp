@@ -191,6 +191,14 @@ struct TruthFeed {
   bus::Reader<bus::Truth> reader;
 };
 
+std::unique_ptr<TruthFeed> truth_of(const Options& options,
+                                    const settings::TeamSettings& team,
+                                    const std::function<bool()>& keep_trying) {
+  if (options.match_tag.empty()) return nullptr;
+  return std::make_unique<TruthFeed>(process::host_domain(team, options.domains, options.match_tag),
+                                     keep_trying);
+}
+
 std::optional<BoxAddress> box_of(const Options& options) {
   if (options.box.empty()) return std::nullopt;
   BoxAddress address;
@@ -271,6 +279,14 @@ void repeat(Operator& oper, const OrderDesk& desk, const Station& station, OwnHe
   hearing.note_unanswered(desk.unanswered_by(station.alive(), bus::host_now()));
 }
 
+/// The robots' time, and who else is on this network.
+void ask_around(const Feeds& feeds, Words& words, process::Elsewhere& elsewhere, Station& station) {
+  const HostTime now = bus::host_now();
+  words.probes.write(station.next_probe(now));
+  station.note_versions(feeds.others.present(), now);
+  station.note_domains(elsewhere.others(!station.alive().empty(), now));
+}
+
 int run(const Options& options) {
   const settings::TeamSettings team = settings::load_team(options.team);
   const std::string token = token_of(options);
@@ -286,8 +302,7 @@ int run(const Options& options) {
   Station station(station_parameters(options, team, boot));
   OrderDesk desk(boot);
   Feeds feeds(participant);
-  bus::Writer<bus::Diagnostics> diagnostics(participant);
-  bus::Writer<bus::Command> commands(participant);
+  Words words(participant);
   process::ProcessMeter meter("monitor", kNobody, boot);
   process::AirShare air(participant, "monitor");
   const FieldModel field = field_of(options, team);
@@ -296,10 +311,9 @@ int run(const Options& options) {
   recording.attach(participant, loop);
   Referee referee(referee_settings(options, team, boot), participant, loop, station);
   WhatIf what_if(fusion_parameters(team), field);
-  Operator oper({server, station, desk, referee, what_if, commands});
-  std::optional<TruthFeed> truth;
-  if (!options.match_tag.empty()) {
-    truth.emplace(process::host_domain(team, options.domains, options.match_tag), goes_on);
+  Operator oper({server, station, desk, referee, what_if, words.commands});
+  const auto truth = truth_of(options, team, goes_on);
+  if (truth) {
     pass_on(loop, truth->reader, station);
     recording.add_truth(truth->participant);
   }
@@ -322,12 +336,10 @@ int run(const Options& options) {
   });
   loop.every(kPaceCheck, [&]() { tell(kLongestPause); });
   loop.every(kDiagnosticsPeriod, [&]() {
-    feeds.probes.write(station.next_probe(bus::host_now()));
-    station.note_versions(feeds.others.present(), bus::host_now());
-    station.note_domains(elsewhere.others(!station.alive().empty(), bus::host_now()));
+    ask_around(feeds, words, elsewhere, station);
     bus::Diagnostics report = hearing.report(described(meter, server), station, bus::host_now());
     air.tell(report);
-    diagnostics.write(report);
+    words.diagnostics.write(report);
     recording.draw(field, bus::host_now());
   });
   air.attach(loop);
