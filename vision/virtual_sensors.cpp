@@ -11,7 +11,8 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kMostPlaces = 2000.0;  // per window; its share is then known to a percent
+constexpr double kMostPlaces =
+    500.0;                       // per window, on a grid: its share is then known to some percent
 constexpr double kAround = 2.0;  // of the window's size: where a displaced lens is looked for
 
 struct Box {
