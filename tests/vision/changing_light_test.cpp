@@ -162,6 +162,39 @@ TEST_P(ChangingLight, IsTooMuchForClassesThatStayAsTheyAre) {
   EXPECT_TRUE(changed.balls < changed.frames || changed.fewest_line_points < at_first / 2);
 }
 
+class ShippedLight : public testing::TestWithParam<const char*> {};
+
+// An agent with this file would else begin by taking a hall for another light.
+TEST_P(ShippedLight, IsThatOfTheSimulatedHall) {
+  const CameraParameters camera =
+      settings::load_camera(test::source_path(std::string("config/cameras/") + GetParam()));
+  Perception perception(camera, test_field());
+  sim::Renderer renderer(camera, test_field(), {});
+  sim::Random random(5);
+  LightAdaptation adaptation(perception.light());
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < 20; ++i) {
+    sim::Scene scene;
+    scene.X_FR = {0.2 * i - 2.0, 0.8, 0.3 * i};
+    renderer.draw(scene, random, bytes);
+    adaptation.take(
+        perception.field_colours({bytes, camera.width_px, camera.height_px, camera.format}), kStep);
+  }
+
+  EXPECT_EQ(adaptation.state().status, LightStatus::kFollowing);
+  EXPECT_NEAR(exposure_of(adaptation.state().gains), 1.0, 0.04);
+  EXPECT_NEAR(adaptation.state().gains.red / adaptation.state().gains.green, 1.0, 0.04);
+  EXPECT_NEAR(adaptation.state().gains.blue / adaptation.state().gains.green, 1.0, 0.04);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras,
+                         ShippedLight,
+                         testing::Values("sim-640.textproto", "sim-isometric.textproto"),
+                         [](const auto& test) {
+                           const std::string file = test.param;
+                           return std::string(file == "sim-640.textproto" ? "Sim640" : "Isometric");
+                         });
+
 INSTANTIATE_TEST_SUITE_P(Halls,
                          ChangingLight,
                          testing::Values(Change{"ColdDusk", {0.42, 0.55, 0.8}},
