@@ -20,6 +20,7 @@
 #include "process/program.hpp"
 #include "sim/setup.hpp"
 #include "sim/show.hpp"
+#include "vision/colour_cube.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/ray_table.hpp"
 #include "vision/scan_lines.hpp"
@@ -40,6 +41,7 @@ struct Clock {
 
 constexpr std::uint32_t kLargeWidth = 1280;   // px
 constexpr std::uint32_t kLargeHeight = 1024;  // px
+constexpr double kCubeThreshold = 80.0;       // grey levels
 
 Duration between(Clock::time_point start, Clock::time_point end) {
   return end - start;
@@ -107,6 +109,8 @@ enum Stage : std::uint8_t {
   kCopy,
   kTable,
   kChromaTable,
+  kCube,
+  kBgrCube,
   kScan,
   kLines,
   kPosture,
@@ -118,6 +122,8 @@ enum Stage : std::uint8_t {
 constexpr std::array<const char*, kStages> kNames{"copy of the frame",
                                                   "every pixel through a table",
                                                   "the same over u and v alone",
+                                                  "every pixel to a cube's vertex",
+                                                  "the same of BGR",
                                                   "radial lines read and judged",
                                                   "that, line points, goals",
                                                   "posture, tracked",
@@ -135,6 +141,7 @@ class Subject {
         lines_(camera, model_, rays_),
         colours_(camera.colours),
         scan_(lines_, camera.scan.chroma_window),
+        bgr_(vision::frame_bytes(vision::PixelFormat::kBgr, camera.width_px, camera.height_px)),
         perception_(camera, setup.field),
         posture_(setup.field, perception_.head()) {}
 
@@ -150,15 +157,27 @@ class Subject {
     start = Clock::now();
     chroma_table_.classify(picture, classes_);
     times[kChromaTable].push_back(between(start, Clock::now()));
+    segment(frame_of(picture), times[kCube]);
+    segment({bgr_, camera_.width_px, camera_.height_px, vision::PixelFormat::kBgr},
+            times[kBgrCube]);
     start = Clock::now();
-    scan_.read(vision::PixelReader({picture, camera_.width_px, camera_.height_px, camera_.format}),
-               colours_,
-               lines_);
+    scan_.read(vision::PixelReader(frame_of(picture)), colours_, lines_);
     times[kScan].push_back(between(start, Clock::now()));
     perceive(picture, truth, times);
   }
 
  private:
+  [[nodiscard]] vision::ImageView frame_of(const std::vector<std::uint8_t>& picture) const {
+    return {picture, camera_.width_px, camera_.height_px, camera_.format};
+  }
+
+  void segment(const vision::ImageView& image, std::vector<Duration>& times) {
+    classes_.resize(std::size_t{image.width_px} * image.height_px);
+    const auto start = Clock::now();
+    cube_.segment(image, classes_);
+    times.push_back(between(start, Clock::now()));
+  }
+
   void perceive(const std::vector<std::uint8_t>& picture,
                 const Pose<Field, Robot>& truth,
                 Times& times) {
@@ -168,13 +187,12 @@ class Subject {
     Clock::time_point asked;
     Clock::time_point answered;
     const auto start = Clock::now();
-    const auto seen = perception_.see_with(
-        {picture, camera_.width_px, camera_.height_px, camera_.format}, [&](const auto& cues) {
-          asked = Clock::now();
-          auto result = posture_.estimate(cues.line_points, prior);
-          answered = Clock::now();
-          return result;
-        });
+    const auto seen = perception_.see_with(frame_of(picture), [&](const auto& cues) {
+      asked = Clock::now();
+      auto result = posture_.estimate(cues.line_points, prior);
+      answered = Clock::now();
+      return result;
+    });
     const auto end = Clock::now();
     if (!seen) return;
     times[kLines].push_back(between(start, asked));
@@ -189,6 +207,9 @@ class Subject {
   vision::ScanLines lines_;
   vision::ColourClasses colours_;
   vision::RadialScan scan_;
+  vision::ColourCube cube_{
+      vision::ColourCube::thresholds(Eigen::Vector3d::Constant(kCubeThreshold))};
+  std::vector<std::uint8_t> bgr_;  // any: the time does not depend on what it shows
   vision::Perception perception_;
   vision::PostureEstimator posture_;
   ColourTable table_;
