@@ -121,6 +121,12 @@ void print(const CaseResult& result) {
   }
 }
 
+locate_score::Recoveries recoveries_of(const locate_score::DriveResult& drive,
+                                       const std::string& method) {
+  const auto found = drive.recoveries.find(method);
+  return found == drive.recoveries.end() ? locate_score::Recoveries{} : found->second;
+}
+
 void print(const locate_score::DriveResult& drive) {
   print(drive.frames);
   ordered_json line;
@@ -128,8 +134,12 @@ void print(const locate_score::DriveResult& drive) {
   line["detail"] = "events";
   line["sequences"] = drive.sequences;
   line["kidnappings"] = drive.kidnappings;
-  line["found_within_1s"] = drive.found_within_1s;
-  line["slowest_s"] = rounded(drive.slowest_s);
+  const locate_score::Recoveries own = recoveries_of(drive, "track");
+  line["found_within_1s"] = own.within_1s;
+  line["slowest_s"] = rounded(own.slowest_s);
+  for (const auto& [method, recoveries] : drive.recoveries) {
+    line["found_within_1s_by"][method] = recoveries.within_1s;
+  }
   line["wrong_halves"] = drive.wrong_halves;
   line["halves_repaired_within_5s"] = drive.halves_repaired;
   line["false_ok_over_0.3s"] = drive.false_ok_episodes;
@@ -140,13 +150,19 @@ void print(const locate_score::DriveResult& drive) {
       "kidnapped {}: right within 1 s {}, slowest {:.2f} s; wrong half {}: repaired {}; ok while "
       "wrong for over 0.3 s: {} times, longest {:.2f} s; slips noticed {}\n",
       drive.kidnappings,
-      drive.found_within_1s,
-      drive.slowest_s,
+      own.within_1s,
+      own.slowest_s,
       drive.wrong_halves,
       drive.halves_repaired,
       drive.false_ok_episodes,
       drive.longest_false_ok_s,
       drive.slips);
+  for (const auto& [method, recoveries] : drive.recoveries) {
+    std::cerr << fmt::format("kidnapped, {}: right within 1 s {} of {}\n",
+                             method,
+                             recoveries.within_1s,
+                             drive.kidnappings);
+  }
 }
 
 void score_paper(const ScoreLocateOptions& options, CaseOptions cases) {
@@ -181,7 +197,7 @@ int score_locate(const ScoreLocateOptions& options) {
     if (name == "faults") {
       for (const CaseResult& result : locate_score::run_faults(cases, {})) print(result);
     }
-    if (name == "drive") print(locate_score::run_drives(cases));
+    if (name == "drive") print(locate_score::run_drives(cases, {}));
     if (name == "paper") score_paper(options, cases);
   }
   return process::kDone;

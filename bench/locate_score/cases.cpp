@@ -1,14 +1,9 @@
 // bench/locate_score/cases.cpp: single looks: noise, hardware, faults.
 #include "bench/locate_score/cases.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
-#include <span>
-
-#include <Eigen/Geometry>
 
 #include "bench/locate_score/methods.hpp"
 #include "bench/locate_score/rendered_view.hpp"
@@ -19,7 +14,6 @@ namespace {
 
 constexpr double kMargin = 0.3;  // m, of the poses from the outer lines
 constexpr std::size_t kRobots = 10;
-constexpr double kFaultRange = 6.0;  // m, at which a bend is given
 
 Pose<Field, Robot> draw_prior(const Pose<Field, Robot>& truth, std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -27,10 +21,6 @@ Pose<Field, Robot> draw_prior(const Pose<Field, Robot>& truth, std::mt19937& ran
           truth.y() + kPriorSigma * normal(random),
           truth.theta() + kPriorSigmaTurn * normal(random)};
 }
-
-/// What is done to the line points of one frame, given the truth.
-using Spoil =
-    std::function<void(std::vector<vision::LinePoint>&, const Pose<Field, Robot>&, std::mt19937&)>;
 
 struct Plan {
   std::size_t poses{0};
@@ -87,100 +77,13 @@ vision::LocalisationParameters parameters_for(const RenderedView& view, bool is_
   return parameters;
 }
 
-// Hides paint metre by metre, by chance: the whole of a metre or nothing of it.
-Spoil hide(double share) {
-  return [share](auto& points, const Pose<Field, Robot>& truth, std::mt19937& random) {
-    const auto salt = static_cast<std::uint32_t>(random());
-    std::erase_if(points, [&](const vision::LinePoint& point) {
-      const Point<Field> p = truth * point.p_R;
-      const auto cell = static_cast<std::uint32_t>(static_cast<int>(std::floor(p.x)) * 7919 +
-                                                   static_cast<int>(std::floor(p.y)) * 104729);
-      std::minstd_rand hash(1U + ((cell ^ salt) & 0x7fffffffU));
-      hash.discard(3);
-      const double drawn =
-          static_cast<double>(hash()) / static_cast<double>(std::minstd_rand::max());
-      return drawn < share;
-    });
-  };
-}
-
-// The covariance of the point whose distance comes nearest, turned to this direction.
-Eigen::Matrix2d cov_at(std::span<const vision::LinePoint> points, const Point<Robot>& p_R) {
-  const double distance = p_R.vector().norm();
-  const auto like = std::ranges::min_element(points, {}, [distance](const vision::LinePoint& one) {
-    return std::abs(one.p_R.vector().norm() - distance);
-  });
-  const double turn = std::atan2(p_R.y, p_R.x) - std::atan2(like->p_R.y, like->p_R.x);
-  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
-  return rotation * like->cov_R * rotation.transpose();
-}
-
-// Adds false points, so that they are this share of all; each as uncertain as a true one so far
-// out.
-Spoil falsify(double share) {
-  return [share](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& random) {
-    if (points.empty()) return;
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    const std::size_t honest = points.size();
-    const auto more = static_cast<std::size_t>(static_cast<double>(honest) * share / (1.0 - share));
-    for (std::size_t i = 0; i < more; ++i) {
-      vision::LinePoint point = points[i % honest];
-      const double r = kFaultRange * std::sqrt(unit(random));
-      const double a = 2.0 * std::numbers::pi * unit(random);
-      point.p_R = {r * std::cos(a), r * std::sin(a)};
-      point.cov_R = cov_at({points.data(), honest}, point.p_R);
-      points.push_back(point);
-    }
-  };
-}
-
-// Where a floor point is seen by a head that leans. @param tilt  roll, pitch; rad
-Point<Robot> leaning(const Point<Robot>& p_R, const Eigen::Vector2d& tilt, double eye_height) {
-  const double lift = (tilt.x() * p_R.y - tilt.y() * p_R.x) / eye_height;
-  return {p_R.x / (1.0 + lift), p_R.y / (1.0 + lift)};
-}
-
-// A head that leans by up to 1.2 degrees, as under acceleration.
-Spoil lean(double eye_height) {
-  return [eye_height](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& random) {
-    std::normal_distribution<double> normal(0.0, 0.007);
-    const double roll = normal(random);
-    const double pitch = normal(random);
-    for (vision::LinePoint& point : points) {
-      point.p_R = leaning(point.p_R, {roll, pitch}, eye_height);
-    }
-  };
-}
-
-// Points as a camera with these faults gives them, as far as its faults are known to be smooth.
-Spoil see_through(const MapFault& fault, const Eigen::Vector2d& tilt, double eye_height) {
-  return [=](auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& /*random*/) {
-    for (vision::LinePoint& point : points) {
-      point.p_R = fault.seen(leaning(point.p_R, tilt, eye_height), kFaultRange);
-    }
-    std::erase_if(points, [](const auto& p) { return p.p_R.vector().norm() > kFaultRange; });
-  };
-}
-
-// One robot's eye, as its calibration left it.
-Spoil eye_of(const CalibrationRemainder& remainder, double eye_height, std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  const MapFault fault{remainder.shift * normal(random),
-                       remainder.shift * normal(random),
-                       remainder.turn * normal(random),
-                       remainder.scale * normal(random),
-                       remainder.bend * normal(random)};
-  const Eigen::Vector2d tilt(remainder.tilt * normal(random), remainder.tilt * normal(random));
-  return see_through(fault, tilt, eye_height);
-}
-
 // First what happens on the field, then the eye.
 Spoil through_some_eye(const Spoil& spoil,
                        const CalibrationRemainder& remainder,
                        double eye_height) {
   return [=](auto& points, const Pose<Field, Robot>& truth, std::mt19937& random) {
     if (spoil) spoil(points, truth, random);
-    eye_of(remainder, eye_height, random)(points, truth, random);
+    Eye(remainder, eye_height, random).look(points);
   };
 }
 
@@ -219,7 +122,10 @@ CaseResult run_hardware(const CaseOptions& options, const CalibrationRemainder& 
   for (std::size_t robot = 0; robot < kRobots; ++robot) {
     Plan plan;
     plan.poses = options.poses / kRobots;
-    plan.spoil = eye_of(remainder, view.head().eye_height, random);
+    const Eye eye(remainder, view.head().eye_height, random);
+    plan.spoil = [eye](auto& points, const Pose<Field, Robot>&, std::mt19937&) {
+      eye.look(points);
+    };
     play(plan, view, options.field, methods, random);
   }
   return {"hardware", "remainder of a calibration", methods.tallies()};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/locate_score/line_view.hpp"
+#include "bench/locate_score/spoils.hpp"
 #include "bench/locate_score/tally.hpp"
 #include "geometry/field_model.hpp"
 #include "vision/camera_parameters.hpp"
@@ -38,15 +39,6 @@ struct CaseResult {
 /// (a) Rendered frames with pixel noise, through a camera that is what its file says.
 [[nodiscard]] CaseResult run_noise(const CaseOptions& options);
 
-/// What a calibration leaves of a robot's defects, as standard deviations; drawn once per robot.
-struct CalibrationRemainder {
-  double shift{0.002};  ///< of the robot in its own picture; m
-  double turn{0.001};   ///< rad
-  double scale{0.001};  ///< of ranges; dimensionless
-  double bend{0.006};   ///< at 6 m; m
-  double tilt{0.0005};  ///< of the head; rad
-};
-
 /// (b) Ten robots whose calibrated camera files are wrong by what calibration leaves.
 [[nodiscard]] CaseResult run_hardware(const CaseOptions& options,
                                       const CalibrationRemainder& remainder);
@@ -56,13 +48,18 @@ struct CalibrationRemainder {
 [[nodiscard]] std::vector<CaseResult> run_faults(const CaseOptions& options,
                                                  const CalibrationRemainder& remainder);
 
+/// What became of the kidnappings, by one method.
+struct Recoveries {
+  std::size_t within_1s{0};  ///< right again, modulo symmetry, within a second, and stayed so
+  double slowest_s{0.0};     ///< until right, of those found
+};
+
 /// What happened on drives beside the errors of single frames.
 struct DriveResult {
   CaseResult frames;  ///< after the first second and apart from kidnappings
   std::size_t sequences{0};
   std::size_t kidnappings{0};
-  std::size_t found_within_1s{0};    ///< right, modulo symmetry, one second after it sees lines
-  double slowest_s{0.0};             ///< until right, of those found
+  std::map<std::string, Recoveries> recoveries;  ///< by method
   std::size_t wrong_halves{0};       ///< sequences that began on the wrong half, with a compass
   std::size_t halves_repaired{0};    ///< within five seconds
   std::size_t false_ok_episodes{0};  ///< `ok` for over 0.3 s while wrong by over 0.5 m
@@ -70,8 +67,10 @@ struct DriveResult {
   std::size_t slips{0};              ///< noticed
 };
 
-/// (d) Drives of ten seconds with slipping wheels; every other one is kidnapped, every fifth begins
-/// on the wrong half with a compass on board.
-[[nodiscard]] DriveResult run_drives(const CaseOptions& options);
+/// (d) Drives of ten seconds with slipping wheels and a head that leans by 0.17 degrees per m/s^2,
+/// seen through eyes as in (b), another one in each; every other one is kidnapped, every fifth
+/// begins on the wrong half with a compass on board. A twenty-fifth of `poses` is their number.
+[[nodiscard]] DriveResult run_drives(const CaseOptions& options,
+                                     const CalibrationRemainder& remainder);
 
 }  // namespace teamsight::locate_score

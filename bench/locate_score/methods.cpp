@@ -64,6 +64,28 @@ std::optional<Eigen::Vector2d> bound_of(const vision::LineMap& map,
   return bound;
 }
 
+PointHough::PointHough(const FieldModel& field)
+    : field_(field),
+      lines_(vision::field_lines_of(field)),
+      hough_(kHoughPixel, kHoughReach) {}
+
+Answer PointHough::locate(std::span<const vision::LinePoint> points) {
+  transitions_.clear();
+  for (const vision::LinePoint& point : points) transitions_.push_back(point.p_R);
+  return timed([&] {
+    Answer answer;
+    for (const auto& found : vision::hough2001_candidates(hough_, lines_, transitions_, {})) {
+      const bool is_inside = std::abs(found.X_FR.x()) < 0.5 * field_.length + 0.2 &&
+                             std::abs(found.X_FR.y()) < 0.5 * field_.width + 0.2;
+      if (!is_inside) continue;
+      answer.X_FR = Pose<Field, Robot>(
+          found.X_FR.x() + field_.centre.x, found.X_FR.y() + field_.centre.y, found.X_FR.theta());
+      break;
+    }
+    return answer;
+  });
+}
+
 Methods::Methods(const FieldModel& field,
                  const vision::LocalisationParameters& parameters,
                  const MethodChoice& choice,
@@ -76,8 +98,7 @@ Methods::Methods(const FieldModel& field,
       begun_(localiser_.begin()),
       search_(field),
       table_(field),
-      lines_(vision::field_lines_of(field)),
-      hough_(kHoughPixel, kHoughReach) {
+      hough_(field) {
   if (is_half_turn_symmetric(field)) symmetry_ = field.centre;
 }
 
@@ -134,23 +155,6 @@ Answer Methods::mcl500(const Look& look) {
   });
 }
 
-Answer Methods::hough(const Look& look) {
-  std::vector<Point<Robot>> transitions;
-  for (const vision::LinePoint& point : look.points) transitions.push_back(point.p_R);
-  return timed([&] {
-    Answer answer;
-    for (const auto& found : vision::hough2001_candidates(hough_, lines_, transitions, {})) {
-      const bool is_inside = std::abs(found.X_FR.x()) < 0.5 * field_.length + 0.2 &&
-                             std::abs(found.X_FR.y()) < 0.5 * field_.width + 0.2;
-      if (!is_inside) continue;
-      answer.X_FR = Pose<Field, Robot>(
-          found.X_FR.x() + field_.centre.x, found.X_FR.y() + field_.centre.y, found.X_FR.theta());
-      break;
-    }
-    return answer;
-  });
-}
-
 void Methods::ask(const Look& look, bool with_bound) {
   std::optional<Eigen::Vector2d> tilting;
   std::optional<Eigen::Vector2d> level;
@@ -175,7 +179,8 @@ void Methods::ask(const Look& look, bool with_bound) {
   const Eigen::Vector2d bound = level.value_or(none);
   tallies_["rprop10"].add(rprop10(look), look.truth, bound, std::nullopt);
   tallies_["mcl500"].add(mcl500(look), look.truth, bound, std::nullopt);
-  tallies_["hough2001"].add(hough(look), look.truth, bound, symmetry_);
+  if (!choice_.hough) return;
+  tallies_["hough2001"].add(hough_.locate(look.points), look.truth, bound, symmetry_);
 }
 
 }  // namespace teamsight::locate_score

@@ -32,6 +32,22 @@ struct MethodChoice {
   bool tracking{true};
   bool global{true};
   bool rivals{true};
+  bool hough{true};  ///< of the rivals, "hough2001" on the points
+};
+
+/// The founding paper's method on line points instead of the image's own transitions.
+class PointHough {
+ public:
+  explicit PointHough(const FieldModel& field);
+
+  /// Modulo the field's symmetry.
+  [[nodiscard]] Answer locate(std::span<const vision::LinePoint> points);
+
+ private:
+  FieldModel field_;
+  vision::FieldLines lines_;
+  vision::LineHough hough_;
+  std::vector<Point<Robot>> transitions_;
 };
 
 /// The product and its rivals on one field. Methods: "track" (vision::Localiser from the prior),
@@ -56,7 +72,6 @@ class Methods {
   [[nodiscard]] Answer global(const Look& look);
   [[nodiscard]] Answer rprop10(const Look& look) const;
   [[nodiscard]] Answer mcl500(const Look& look);
-  [[nodiscard]] Answer hough(const Look& look);
 
   FieldModel field_;
   vision::LocalisationParameters parameters_;
@@ -67,8 +82,7 @@ class Methods {
   vision::BackgroundSearch search_;
   std::optional<Point<Field>> symmetry_;
   locate_rivals::DistanceTable table_;
-  vision::FieldLines lines_;
-  vision::LineHough hough_;
+  PointHough hough_;
   std::map<std::string, Tally> tallies_;
 };
 
