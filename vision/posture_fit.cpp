@@ -30,8 +30,11 @@ constexpr double kMostLift = 0.5;       // of a ray's way to the horizon
 constexpr double kKnownTilt = 1e-6;     // rad; a smaller sigma means a tilt that is known
 constexpr std::size_t kLeaders = 150;   // points that lead the way
 constexpr std::size_t kScaleSample = 160;  // points from which a step measures its scale
-constexpr std::size_t kSectors = 8;        // whose errors are compared with those of points
 constexpr double kSectorDoubt = 6.0;       // sectors that the hypothesis "no correlation" is worth
+// How probably a point that is alone in its stretch lies on other paint, or is none: measured on
+// 500 rendered frames, 22 % of 219; of stretches of 7 to 12 points 2.6 % of 705.
+constexpr double kWrongAlone = 0.25;
+constexpr double kTypicalRange = 3.0;  // m, of a line point
 
 using Row = Eigen::Matrix<double, 5, 1>;
 
@@ -45,9 +48,9 @@ Row row_of(const LineResidual& residual) {
   return row;
 }
 
-std::size_t sector_of(const Point<Robot>& p_R) {
+std::size_t sector_of(const Point<Robot>& p_R, std::size_t sectors) {
   const double turn = std::atan2(p_R.y, p_R.x) / (2.0 * std::numbers::pi) + 0.5;
-  return std::min(static_cast<std::size_t>(turn * kSectors), kSectors - 1);
+  return std::min(static_cast<std::size_t>(turn * static_cast<double>(sectors)), sectors - 1);
 }
 
 // What a point is displaced by, in R, when the picture errs by one claimed sigma in each of six
@@ -162,8 +165,7 @@ bool PostureFitter::step(PostureFit& fit, double width) const {
   return way > 1e-5 || std::abs(change(2)) > 1e-5;
 }
 
-double PostureFitter::measure_correlation(std::span<const LinePoint> points,
-                                          const PostureFit& fit) const {
+double PostureFitter::measure_correlation(const PostureFit& fit) const {
   std::array<Eigen::Vector3d, kSectors> sums{};
   sums.fill(Eigen::Vector3d::Zero());
   Eigen::Matrix3d single = Eigen::Matrix3d::Zero();
@@ -173,7 +175,7 @@ double PostureFitter::measure_correlation(std::span<const LinePoint> points,
     const double psi = r.distance / std::pow(1.0 + u2, 2);
     const Eigen::Vector3d pull = psi / r.var * r.jacobian;
     single += pull * pull.transpose();
-    sums[sector_of(points[i].p_R)] += pull;
+    sums[stretch_of_[i] / 2] += pull;
   }
   Eigen::Matrix3d grouped = Eigen::Matrix3d::Zero();
   double sectors = 0.0;
@@ -216,14 +218,42 @@ void PostureFitter::spread(const Information& info, double variance, PostureFit&
   fit.cov_shared = moved * moved.transpose() / 3.0;
 }
 
+void PostureFitter::doubt_stretches(const Information& info,
+                                    double variance,
+                                    PostureFit& fit) const {
+  // Farther off than a kernel is wide, a wrong stretch would not have been taken for paint.
+  const double place = 1.0 / (kWidest * kWidest);
+  Eigen::Matrix<double, 5, 1> held;
+  held << place, place, kTypicalRange * kTypicalRange * place, tilt_info(tilt_);
+  const auto cov_of = [&](const Information& some) -> Eigen::Matrix3d {
+    Information total = some / variance;
+    total.diagonal() += held;
+    return total.llt().solve(Information::Identity()).topLeftCorner<3, 3>();
+  };
+  const Eigen::Matrix3d whole = cov_of(info);
+  fit.cov_doubtful.setZero();
+  for (const Stretch& stretch : stretches_) {
+    if (stretch.weight <= 0.0) continue;
+    const double wrong = kWrongAlone / std::max(1.0, stretch.weight);
+    // If it is wrong, the robot is only as surely where it seems as the others say.
+    fit.cov_doubtful += wrong * (cov_of(info - stretch.info) - whole);
+  }
+  fit.cov_doubtful = 0.5 * (fit.cov_doubtful + fit.cov_doubtful.transpose()).eval();
+  fit.cov += fit.cov_doubtful;
+}
+
 void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
-  Information info = Information::Zero();
+  stretches_.fill({});
+  stretch_of_.clear();
   double sum_square = 0.0;
   double sum_slope = 0.0;
   double sum_weight = 0.0;
   std::size_t inliers = 0;
   const auto count = static_cast<double>(residuals_.size());
-  for (const LineResidual& r : residuals_) {
+  for (std::size_t i = 0; i < residuals_.size(); ++i) {
+    const LineResidual& r = residuals_[i];
+    const bool runs_along_y = std::abs(r.jacobian.x()) > std::abs(r.jacobian.y());
+    stretch_of_.push_back(2 * sector_of(points[i].p_R, kSectors) + (runs_along_y ? 1 : 0));
     const double c = width_of(r, 0.0, fit.scale);
     const double u2 = std::pow(r.distance / c, 2);
     // psi and its slope of the kernel, of residuals in units of the claimed sigma.
@@ -232,13 +262,19 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
     sum_square += psi * psi / r.var;
     sum_slope += (1.0 - 3.0 * u2) * weight / (1.0 + u2);
     sum_weight += weight;
-    info.selfadjointView<Eigen::Lower>().rankUpdate(row_of(r), weight / r.var);
+    Stretch& stretch = stretches_[stretch_of_[i]];
+    stretch.weight += weight;
+    stretch.info.selfadjointView<Eigen::Lower>().rankUpdate(row_of(r), weight / r.var);
     if (is_inlier(r, fit.scale)) ++inliers;
     fit.support += 1.0 / (1.0 + std::pow(r.distance / kVoteWidth, 2));
   }
   fit.inlier_ratio = static_cast<double>(inliers) / count;
   if (sum_slope < 3.5) return;
-  info.triangularView<Eigen::StrictlyUpper>() = info.transpose();
+  Information info = Information::Zero();
+  for (Stretch& stretch : stretches_) {
+    stretch.info.triangularView<Eigen::StrictlyUpper>() = stretch.info.transpose();
+    info += stretch.info;
+  }
   // Sandwich of the M-estimator over the weighted points (an outlier far out has a long lever, but
   // no weight), with the three degrees of freedom that the fit used up.
   const double slope = sum_slope / sum_weight;
@@ -246,11 +282,12 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
   const double variance = (sum_weight * measured + kClaimPoints) / (sum_weight + kClaimPoints);
   pulls_ = measure_pulls(points, fit);
   spread(info, variance, fit);
-  fit.correlation = measure_correlation(points, fit);
+  fit.correlation = measure_correlation(fit);
   // A ratio from so few sectors is uncertain: drawn towards "no correlation".
   const double alone = (kSectors * fit.correlation + kSectorDoubt) / (kSectors + kSectorDoubt);
   const double known = known_correlation_ > 0.0 ? known_correlation_ : alone;
   spread(info, variance * std::max(1.0, known), fit);
+  doubt_stretches(info, variance * std::max(1.0, known), fit);
   fit.observable = fit.cov.diagonal().maxCoeff() < kObservable * kObservable;
 }
 
@@ -262,7 +299,7 @@ PostureFit PostureFitter::fit(const LineMap& map,
   known_correlation_ = start.correlation;
   PostureFit fit;
   fit.X_FR = start.X_FR;
-  fit.tilt = tilt_.mean;
+  fit.tilt = tilt_.mean + start.lean;
   double width = std::min(start.width, kWidest);
   // While the kernel is wide, some of the points lead as well as all of them.
   std::size_t stride = 1 + points.size() / kLeaders;

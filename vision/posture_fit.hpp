@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -64,13 +65,16 @@ struct PostureFit {
   /// all share: the picture aside, turned, larger, or pulled out of round, as a wrong camera file
   /// makes it. Grows with the square of the share that is taken to be so; see SharedError.
   Eigen::Matrix3d cov_shared{Eigen::Matrix3d::Zero()};
+  /// The part of `cov` that says that a stretch of points may lie on other paint than it seems to:
+  /// nothing while many stretches hold the robot, much where one alone does.
+  Eigen::Matrix3d cov_doubtful{Eigen::Matrix3d::Zero()};
   Eigen::Vector2d tilt{Eigen::Vector2d::Zero()};      ///< roll, pitch; rad
   Eigen::Vector2d var_tilt{Eigen::Vector2d::Zero()};  ///< rad^2
 };
 
-/// What the points' independent errors alone make of a posture's covariance.
+/// What one frame makes of a posture's covariance without what the points of a sector share.
 [[nodiscard]] inline Eigen::Matrix3d independent_part(const PostureFit& fit, double correlation) {
-  return fit.cov / std::max(1.0, correlation);
+  return (fit.cov - fit.cov_doubtful) / std::max(1.0, correlation) + fit.cov_doubtful;
 }
 
 /// What all points of all frames err by together, because the camera file does. It never averages
@@ -94,6 +98,8 @@ struct FitStart {
   HeadTilt tilt{};
   /// N / N_eff as known from earlier frames; 0: measured from this one alone.
   double correlation{0.0};
+  /// Where the iteration begins, from the expected tilt; rad.
+  Eigen::Vector2d lean{Eigen::Vector2d::Zero()};
 };
 
 /// Moves a posture until the line points lie on the lines.
@@ -101,7 +107,8 @@ struct FitStart {
 /// Geman-McClure weights, their width annealed to max(20 mm, 3 sigma), sigma measured from the
 /// residuals. The head's tilt is fitted too, held by its expectation. The covariance is the
 /// M-estimator's (a sandwich), the tilt marginalised, inflated by the correlation of points in the
-/// same sector. Buffers are the only state.
+/// same sector, and by what each stretch of points being wrong would mean. Buffers are the only
+/// state.
 class PostureFitter {
  public:
   /// @param start near the answer: within some 0.3 m and 10 degrees for a width of 0.25 m
@@ -112,6 +119,15 @@ class PostureFitter {
 
  private:
   using Information = Eigen::Matrix<double, 5, 5>;
+
+  static constexpr std::size_t kSectors = 8;  // whose errors are compared with those of points
+  /// Points of one sector whose paint runs more along x, or more along y.
+  static constexpr std::size_t kStretches = 2 * kSectors;
+
+  struct Stretch {
+    Information info{Information::Zero()};  // in units of the claimed sigma
+    double weight{0.0};                     // sum of its points' weights
+  };
 
   /// How each way to err together pulls at (x, y, theta, roll, pitch).
   using Pulls = Eigen::Matrix<double, 5, 6>;
@@ -128,12 +144,15 @@ class PostureFitter {
   [[nodiscard]] Pulls measure_pulls(std::span<const LinePoint> points, const PostureFit& fit) const;
   /// Sets the covariances. @param info of the inliers, in units of the claimed sigma
   void spread(const Information& info, double variance, PostureFit& fit) const;
-  [[nodiscard]] double measure_correlation(std::span<const LinePoint> points,
-                                           const PostureFit& fit) const;
+  [[nodiscard]] double measure_correlation(const PostureFit& fit) const;
+  /// Adds what wrong stretches would mean to `cov`. @param info  of all stretches
+  void doubt_stretches(const Information& info, double variance, PostureFit& fit) const;
 
   HeadTilt tilt_;
   double known_correlation_{0.0};
   Pulls pulls_;
+  std::array<Stretch, kStretches> stretches_;
+  std::vector<std::size_t> stretch_of_;  // each residual
   std::vector<LineResidual> residuals_;
   std::vector<double> sorted_;
 };

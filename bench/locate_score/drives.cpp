@@ -189,9 +189,8 @@ class Sequence {
   void count(int frame, const std::string& name, const Answer& answer, DriveResult& result) {
     if (is_kidnapped_ && frame >= kKidnappedAt) {
       const Pose<Field, Robot> image = mirrored(drive_.truth(), options_.field.centre);
-      const bool is_right =
-          answer.X_FR &&
-          std::min(gap(*answer.X_FR, drive_.truth()), gap(*answer.X_FR, image)) < kRight;
+      const bool is_right = answer.X_FR && std::min(gap(*answer.X_FR, drive_.truth()),
+                                                    gap(*answer.X_FR, image)) < kRight;
       std::optional<int>& found_at = found_at_[name];
       if (!is_right) {
         found_at.reset();

@@ -109,7 +109,10 @@ CaseResult run_paper(const CaseOptions& options, const CalibrationRemainder& rem
   const locate_rivals::DistanceTable table(options.field);
   vision::LocalisationParameters parameters;
   parameters.tilt = view.head();
-  Methods methods(options.field, parameters, {.global = false, .rivals = options.rivals, .hough = false}, options.seed);
+  Methods methods(options.field,
+                  parameters,
+                  {.global = false, .rivals = options.rivals, .hough = false},
+                  options.seed);
   const auto symmetry =
       is_half_turn_symmetric(options.field) ? std::optional(options.field.centre) : std::nullopt;
   const Eigen::Vector2d none = Eigen::Vector2d::Zero();

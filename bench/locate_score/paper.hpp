@@ -23,8 +23,8 @@ struct PaperImage {
 /// The methods that the paper gives or compares itself with, on the same ninety rendered images
 /// through cameras with a calibration's remainder: "hough2001" on the images themselves,
 /// "triangulation" (bearings to upright edges, extended Kalman filter), "markov" (grid, from no
-/// knowledge), "track", "rprop10" and "mcl500". Half of the field: as each method says; those that cannot know count
-/// modulo symmetry.
+/// knowledge), "track", "rprop10" and "mcl500". Half of the field: as each method says; those that
+/// cannot know count modulo symmetry.
 [[nodiscard]] CaseResult run_paper(const CaseOptions& options,
                                    const CalibrationRemainder& remainder);
 

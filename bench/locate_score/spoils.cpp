@@ -12,7 +12,7 @@ namespace teamsight::locate_score {
 
 namespace {
 
-constexpr double kFaultRange = 6.0;  // m, at which a bend is given
+constexpr double kFaultRange = 6.0;   // m, at which a bend is given
 constexpr double kLeanSigma = 0.007;  // rad
 
 // The covariance of the point whose distance comes nearest, turned to this direction.

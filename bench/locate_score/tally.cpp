@@ -52,15 +52,17 @@ void Tally::add(const Answer& answer,
     return;
   }
   Eigen::Vector3d error = error_of(*answer.X_FR, truth);
+  Eigen::Vector3d sides = Eigen::Vector3d::Ones();
   if (centre) {
     const Pose<Field, Robot> image = mirrored(truth, *centre);
     const Eigen::Vector3d other = error_of(*answer.X_FR, image);
     if (other.head<2>().norm() + std::abs(other.z()) <
         error.head<2>().norm() + std::abs(error.z())) {
       error = other;
-      error.head<2>() *= -1.0;  // as the truth's own half would have it
+      sides.head<2>() *= -1.0;  // as the truth's own half would have it
     }
   }
+  error = error.cwiseProduct(sides);
   places_.push_back(error.head<2>().norm());
   if (error.head<2>().norm() > kFarPlace || std::abs(error.z()) > kFarTurn) {
     ++failures_;
@@ -69,7 +71,8 @@ void Tally::add(const Answer& answer,
   errors_.push_back(error);
   bound_ += bound;
   if (answer.cov && is_covariance(*answer.cov)) {
-    nees_ += squared_mahalanobis(error, *answer.cov) / 3.0;
+    const Eigen::Matrix3d cov = sides.asDiagonal() * *answer.cov * sides.asDiagonal();
+    nees_ += squared_mahalanobis(error, cov) / 3.0;
     ++nees_count_;
   }
 }

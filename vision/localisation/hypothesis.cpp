@@ -32,13 +32,13 @@ Eigen::Matrix3d jacobian_of_step(const Pose<Field, Robot>& X_FR, const Pose<Robo
   return jacobian;
 }
 
+}  // namespace
+
 Eigen::Matrix3d turned(const Eigen::Matrix2d& R_FR) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = R_FR;
   return turn;
 }
-
-}  // namespace
 
 double Hypothesis::sigma_position() const {
   return std::sqrt(std::max(cov(0, 0), cov(1, 1)));

@@ -34,6 +34,9 @@ struct Hypothesis {
   [[nodiscard]] double sigma_position() const;
 };
 
+/// Turns (x, y, theta) by a rotation of the plane.
+[[nodiscard]] Eigen::Matrix3d turned(const Eigen::Matrix2d& R_FR);
+
 /// What a robot can do when no wheels tell.
 struct DriveLimits {
   double sigma_acceleration{3.0};       ///< m/s^2 over a tenth of a second

@@ -178,14 +178,15 @@ void Localiser::watch_slip(LocalisationState& state,
   }
 }
 
-bool Localiser::take_fix(const LocalisationState& state,
-                         Hypothesis& one,
-                         const PostureFit& fit) const {
+std::optional<Eigen::Vector3d> Localiser::take_fix(const LocalisationState& state,
+                                                   Hypothesis& one,
+                                                   const PostureFit& fit) const {
   const Innovation innovation = innovation_of(one, fit.X_FR, fit.cov);
   const bool is_surprise = innovation.nis > kGate;
   if (is_surprise) widen(one, innovation.gap);
   correct(one, fit.X_FR, independent_part(fit, state.correlation));
-  return !is_surprise;
+  if (!is_surprise) return std::nullopt;
+  return turned(one.X_FR.rotation()).transpose() * innovation.gap;
 }
 
 void Localiser::correct_best(LocalisationState& state,
@@ -197,10 +198,11 @@ void Localiser::correct_best(LocalisationState& state,
     doubt(state, memory.exposure);
     return;
   }
-  if (!take_fix(state, best, fix->fit)) {
+  if (const auto gap = take_fix(state, best, fix->fit)) {
     ++state.counts.surprises;
     doubt(state, memory.exposure);
     state.is_rivalled = true;
+    state.rival_gap = *gap;
   }
   learn(state, fix->fit, memory);
 }

@@ -92,6 +92,8 @@ struct LocalisationState {
   bool is_searching{false};
   bool has_started{false};  ///< the start side has done its duty
   bool is_rivalled{false};
+  /// While rivalled: how far the surprise was from what was expected, in R; m, m, rad.
+  Eigen::Vector3d rival_gap{Eigen::Vector3d::Zero()};
   int frames_to_flip{0};
   int frames_backwards{0};
   double team_log_odds{0.0};  ///< what the team says of the best hypothesis' half
@@ -196,8 +198,11 @@ class Localiser {
   void weigh(Belief& belief, const RememberedFrame& memory) const;
   void notice_slip(LocalisationState& state, const PostureFix& fix, HostTime exposure) const;
   void watch_slip(LocalisationState& state, Belief& belief, const RememberedFrame& memory) const;
-  /// @return false if the fit was a surprise, before which the hypothesis gave way
-  bool take_fix(const LocalisationState& state, Hypothesis& one, const PostureFit& fit) const;
+  /// @return how far off the fit was, in R, if it was a surprise, before which the hypothesis gave
+  /// way
+  std::optional<Eigen::Vector3d> take_fix(const LocalisationState& state,
+                                          Hypothesis& one,
+                                          const PostureFit& fit) const;
   void correct_best(LocalisationState& state,
                     Hypothesis& best,
                     const RememberedFrame& memory) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 
@@ -22,6 +23,9 @@ constexpr int kSteps = 3;                   // of the ellipsoid's radius, to eac
 constexpr double kOut = 2.7;                // sigma, of that radius
 constexpr double kVoteWeight = 1.0;         // log-probability of one vote of the sample
 constexpr double kKnownTilt = 1e-6;         // rad; a smaller sigma means a tilt that is known
+constexpr int kLeans = 8;                   // sides to which the head is tried leaning
+constexpr double kLean = 2.5;               // sigma, how far
+constexpr double kUnexpected = 16.3;        // 99.9 % of chi square with 3 degrees of freedom
 constexpr double kSamePlace = 0.02;         // m
 constexpr double kSameHeading = 0.01;       // rad
 
@@ -40,11 +44,26 @@ bool is_same(const Eigen::Vector3d& gap) {
   return gap.head<2>().norm() < kSamePlace && std::abs(gap.z()) < kSameHeading;
 }
 
+// How far the lean that a fit found is from the expected one; in sigmas, squared.
+double squared_lean(const PostureFit& fit, const HeadTilt& tilt) {
+  return (fit.tilt - tilt.mean).cwiseQuotient(tilt.sigma.cwiseMax(kKnownTilt)).squaredNorm();
+}
+
+// Whether a fit leaves no reason to look for another one.
+bool is_plain(const PostureFit& fit,
+              std::size_t points,
+              const Hypothesis& hypothesis,
+              const HeadTilt& tilt) {
+  return fit.support >= kExplained * static_cast<double>(points) &&
+         innovation_of(hypothesis, fit.X_FR, fit.cov).nis < kUnexpected &&
+         squared_lean(fit, tilt) < kUnexpected;
+}
+
 }  // namespace
 
 WideFitter::WideFitter() {
   sample_.reserve(kSample);
-  endings_.reserve(kTried + 1);
+  endings_.reserve(1 + kTried + kLeans);
 }
 
 void WideFitter::take_sample(std::span<const LinePoint> points) {
@@ -91,10 +110,25 @@ void WideFitter::try_from(const LineMap& map, const FitStart& start, const Hypot
   if (is_known) return;
   const Eigen::Vector3d gap = gap_between(hypothesis.X_FR, ending.fit.X_FR);
   const double distance = gap.dot(hypothesis.cov_pose().llt().solve(gap));
-  const Eigen::Vector2d lean =
-      (ending.fit.tilt - start.tilt.mean).cwiseQuotient(start.tilt.sigma.cwiseMax(kKnownTilt));
-  ending.log_weight = kVoteWeight * ending.fit.support - 0.5 * (distance + lean.squaredNorm());
+  ending.log_weight =
+      kVoteWeight * ending.fit.support - 0.5 * (distance + squared_lean(ending.fit, start.tilt));
   endings_.push_back(ending);
+}
+
+void WideFitter::try_leaning(const LineMap& map,
+                             const FitStart& start,
+                             const Hypothesis& hypothesis) {
+  FitStart leaning = start;
+  for (int i = 0; i < kLeans; ++i) {
+    const double side = 2.0 * std::numbers::pi * i / kLeans;
+    leaning.lean =
+        kLean * start.tilt.sigma.cwiseProduct(Eigen::Vector2d(std::cos(side), std::sin(side)));
+    try_from(map, leaning, hypothesis);
+  }
+}
+
+const WideFitter::Ending& WideFitter::best() const {
+  return *std::ranges::max_element(endings_, {}, &Ending::log_weight);
 }
 
 PostureFit WideFitter::fit(const LineMap& map,
@@ -105,26 +139,29 @@ PostureFit WideFitter::fit(const LineMap& map,
   const double reach = reach_of(hypothesis);
   const FitStart start{hypothesis.X_FR, std::clamp(reach, kNarrowest, kWidest), tilt, correlation};
   PostureFit answer = fitter_.fit(map, points, start);
-  const double share = answer.support / static_cast<double>(points.size());
-  if (reach <= kWidest || share >= kExplained) return answer;
+  if (reach <= kWidest || is_plain(answer, points.size(), hypothesis, tilt)) return answer;
 
   take_sample(points);
   look_around(map, hypothesis);
   endings_.clear();
-  try_from(map, {answer.X_FR, kNarrowest, tilt, correlation}, hypothesis);
+  try_from(map, {answer.X_FR, kNarrowest, tilt, correlation, answer.tilt - tilt.mean}, hypothesis);
   for (const Place& place : places_) {
     try_from(map, {place.X_FR, kWidest, tilt, correlation}, hypothesis);
   }
-  const Ending& best = *std::ranges::max_element(endings_, {}, &Ending::log_weight);
-  if (!is_same(gap_between(answer.X_FR, best.fit.X_FR))) {
-    answer = fitter_.fit(map, points, {best.fit.X_FR, kNarrowest, tilt, correlation});
+  if (!is_plain(best().fit, sample_.size(), hypothesis, tilt)) {
+    try_leaning(map, start, hypothesis);
+  }
+  const Ending& found = best();
+  if (!is_same(gap_between(answer.X_FR, found.fit.X_FR))) {
+    const Eigen::Vector2d lean = found.fit.tilt - tilt.mean;
+    answer = fitter_.fit(map, points, {found.fit.X_FR, kNarrowest, tilt, correlation, lean});
   }
   double total = 0.0;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Ending& ending : endings_) {
-    const double weight = std::exp(ending.log_weight - best.log_weight);
+    const double weight = std::exp(ending.log_weight - found.log_weight);
     total += weight;
-    if (&ending == &best) continue;
+    if (&ending == &found) continue;
     const Eigen::Vector3d gap = gap_between(answer.X_FR, ending.fit.X_FR);
     spread += weight * gap * gap.transpose();
   }

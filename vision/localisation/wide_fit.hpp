@@ -16,10 +16,11 @@
 namespace teamsight::vision {
 
 /// Fits a frame's points from where a hypothesis stands. A fit reaches some 0.25 m; where the
-/// hypothesis is less certain than that and its fit leaves points unexplained, votes of some of the
-/// points are counted all over the hypothesis' ellipsoid, the fit is tried from the best places as
-/// well, and the answer that votes, hypothesis and the head's lean together make most probable is
-/// taken. Answers that are hardly less probable widen its covariance.
+/// hypothesis is less certain than that and its fit leaves points unexplained or contradicts what
+/// was expected, votes of some of the points are counted all over the hypothesis' ellipsoid, the
+/// fit is tried from the best places as well, then with the head leaning to all sides, and the
+/// answer that votes, hypothesis and the head's lean together make most probable is taken. Answers
+/// that are hardly less probable widen its covariance.
 ///
 /// Buffers are the only state.
 class WideFitter {
@@ -55,6 +56,9 @@ class WideFitter {
   /// Sets `places_`, the best first.
   void look_around(const LineMap& map, const Hypothesis& hypothesis);
   void try_from(const LineMap& map, const FitStart& start, const Hypothesis& hypothesis);
+  /// The fit from where the hypothesis stands with the head leaning to all sides.
+  void try_leaning(const LineMap& map, const FitStart& start, const Hypothesis& hypothesis);
+  [[nodiscard]] const Ending& best() const;
 
   PostureFitter fitter_;
   std::vector<LinePoint> sample_;
