@@ -184,5 +184,38 @@ TEST(PostureConsistency, KnowsWhatAnErrorThatAllPointsShareDoes) {
   EXPECT_LT(nees, 1.25);
 }
 
+// Points on a long side line, and some on the line across that alone hold the robot along it.
+PostureFit fit_beside_a_line(int across) {
+  FieldModel field;
+  field.length = 12.0;
+  field.width = 8.0;
+  field.surround = 1.0;
+  field.line_width = 0.125;
+  field.lines = {{"along", {-6.0, 0.0}, {6.0, 0.0}}, {"across", {0.0, 4.0}, {0.0, -4.0}}};
+  std::vector<LinePoint> points;
+  const auto add = [&points](double x, double y) {
+    LinePoint point;
+    point.p_R = {x, y};
+    point.cov_R = 1e-4 * Eigen::Matrix2d::Identity();
+    points.push_back(point);
+  };
+  for (int i = 0; i < 40; ++i) add(0.1 * i - 2.0, 1.0);
+  for (int i = 0; i < across; ++i) add(1.0, 1.5 + 0.05 * i);
+  PostureFitter fitter;
+  return fitter.fit(LineMap(field), points, {{-1.0, -1.0, 0.0}, 0.06, {}, 1.0});
+}
+
+TEST(PostureFit, IsNoSurerThanOnePointMayBeTrusted) {
+  const PostureFit one = fit_beside_a_line(1);
+  const PostureFit many = fit_beside_a_line(20);
+
+  // Wrong in a quarter of all cases, and then up to a kernel's width away.
+  EXPECT_GT(std::sqrt(one.cov(0, 0)), 0.08);
+  EXPECT_LT(std::sqrt(one.cov(0, 0)), 0.2);
+  EXPECT_LT(std::sqrt(one.cov(1, 1)), 0.02);
+  EXPECT_LT(std::sqrt(many.cov(0, 0)), 0.5 * std::sqrt(one.cov(0, 0)));
+  EXPECT_TRUE(is_covariance(one.cov_doubtful + 1e-12 * Eigen::Matrix3d::Identity()));
+}
+
 }  // namespace
 }  // namespace teamsight::vision

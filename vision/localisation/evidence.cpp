@@ -328,7 +328,7 @@ Located Localiser::report(const LocalisationState& state) const {
     located.scale = seen.scale;
     if (seen.observable) posture.cov += seen.cov - independent_part(seen, state.correlation);
   }
-  posture.cov += seen.cov_doubtful + shared_part(seen, parameters_.shared);
+  posture.cov += shared_part(seen, parameters_.shared);
   if (state.is_rivalled) {
     // It may also be where it was expected.
     const Eigen::Vector3d gap = turned(best.X_FR.rotation()) * state.rival_gap;

@@ -100,6 +100,26 @@ TEST(Localisation, NoticesSlippingWheels) {
   EXPECT_LT(worst, 0.1);
 }
 
+TEST(Localisation, IsAsUnsureAsASurpriseWasLargeUntilASearchConfirmsIt) {
+  Ride ride(league_field(), {}, standing(), 7);
+  ride.has_wheels = false;  // with wheels it would be a slip
+  ride.place_at_truth();
+  ride_on(ride, 20);
+  const Located before = ride_on(ride, 1);
+  const Pose<Field, Robot> aside(ride.truth().x() + 0.2, ride.truth().y(), ride.truth().theta());
+  ride.drive().kidnap(aside);
+
+  const Located surprised = ride_on(ride, 1);
+  const Located settled = ride_on(ride, 10);
+
+  EXPECT_LT(std::sqrt(before.posture.cov(0, 0)), 0.01);
+  EXPECT_LT(ride.miss(settled, false), 0.02);
+  EXPECT_EQ(surprised.posture.status, PostureStatus::kAmbiguous);
+  EXPECT_NEAR(std::sqrt(surprised.posture.cov(0, 0)), 0.2, 0.02);
+  EXPECT_EQ(settled.posture.status, PostureStatus::kOk);
+  EXPECT_LT(std::sqrt(settled.posture.cov(0, 0)), 0.01);
+}
+
 TEST(Localisation, CoastsThroughASecondWithoutLines) {
   Ride ride(league_field(), {}, {}, 7);
   ride.place_at_truth();
