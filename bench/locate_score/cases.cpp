@@ -127,7 +127,8 @@ CaseResult run_hardware(const CaseOptions& options, const CalibrationRemainder& 
     Plan plan;
     plan.poses = options.poses / kRobots;
     const Eye eye(remainder, view.head().eye_height, random);
-    plan.spoil = [eye](auto& points, const Pose<Field, Robot>&, std::mt19937&) {
+    plan.spoil = [eye](
+                     auto& points, const Pose<Field, Robot>& /*truth*/, std::mt19937& /*random*/) {
       eye.look(points);
     };
     play(plan, view, options.field, methods, random);
