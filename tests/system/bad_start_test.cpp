@@ -43,7 +43,8 @@ class BadStart : public ::testing::Test {
     auto all = robots_programs();
     const fs::path page = team_.config().file("index.html");
     std::ofstream(page) << "<!doctype html><title>page</title>";
-    all.push_back({"teamsight-monitor", "--team", team_file(), "--web", page.parent_path()});
+    all.push_back(
+        {"teamsight-monitor", "--team", team_file(), "--web", page.parent_path(), "--port", "0"});
     all.push_back({"teamsight", "echo", "RobotState", "--team", team_file()});
     return all;
   }
