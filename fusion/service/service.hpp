@@ -80,22 +80,22 @@ class Service {
   bus::Writer<bus::ClockEcho> echo_;
   bus::Writer<bus::Diagnostics> diagnostics_;
   WorldModel last_world_;
-  std::uint32_t host_count_{0};  // models to the own host
-  std::uint32_t air_count_{0};   // models over the air
-  std::uint32_t explanation_count_{0};
+  bus::Loop* loop_{nullptr};
   HostTime started_{};
   HostTime published_{};
   HostTime spoken_{};  // over the air
   HostTime last_intake_{};
   HostTime probed_{};
-  std::uint32_t hinted_{0};  // the command of the newest ball hint
-  bool has_news_{false};
-  bus::Loop* loop_{nullptr};
-  bool has_yielded_{false};
   std::optional<bus::Diagnostics> last_report_;  // of a second process
-  int last_reports_{0};                          // how often it was said
   std::string rival_;
   HostTime rival_heard_{};
+  int last_reports_{0};          // how often it was said
+  std::uint32_t host_count_{0};  // models to the own host
+  std::uint32_t air_count_{0};   // models over the air
+  std::uint32_t explanation_count_{0};
+  std::uint32_t hinted_{0};  // the command of the newest ball hint
+  bool has_news_{false};
+  bool has_yielded_{false};
 };
 
 }  // namespace teamsight::fusion
