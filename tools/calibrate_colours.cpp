@@ -231,6 +231,7 @@ int calibrate_colours(const ColourOptions& options) {
         "found neither --sample, --labels, --balance nor --light, expected one of them");
   }
   std::vector<vision::LabelledColours> labels;
+  labels.reserve(clicks.size());
   for (const Click& click : clicks) labels.push_back(pixels_at(click, camera));
   const auto colours = taught(camera.colours, labels, options.table);
   if (!colours) {

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "tools/viewer.hpp"
 #include "vision/polygon.hpp"
 #include "vision/scan_lines.hpp"
@@ -94,14 +96,14 @@ std::vector<std::vector<vision::Pixel>> LineViews::operator()(
   Viewer viewer(camera, field_);
   const vision::CameraModel model(camera);
   std::vector<std::vector<vision::Pixel>> views = lists_;
-  const std::string look = "look " + std::to_string(++looks_) + ": ";
-  const std::string count = std::to_string(files_.size());
+  const std::string look = fmt::format("look {}: ", ++looks_);
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    progress_.say(look + "lines in view " + std::to_string(i + 1) + " of " + count);
+    progress_.say(fmt::format("{}lines in view {} of {}", look, i + 1, files_.size()));
     if (is_list(files_[i])) continue;
     views[i] = paint_middles(*viewer.look(files_[i], {}).seen, model);
   }
-  progress_.say(look + "fitting the camera and the places of " + count + " views");
+  progress_.say(
+      fmt::format("{}fitting the camera and the places of {} views", look, files_.size()));
   return views;
 }
 
