@@ -303,7 +303,10 @@ scenarios.replays = async (page) => {
   const end = await positionOf(page, 2);
   for (let i = 0; i < 12; ++i) await page.keyboard.press(",");
   await page.waitForFunction(
-    (old) => Math.abs(Number(document.querySelector('.robot[data-robot="2"]').dataset.x) - old.x) > 0.02,
+    (old) => {
+      const mark = document.querySelector('.robot[data-robot="2"]');
+      return Math.hypot(Number(mark.dataset.x) - old.x, Number(mark.dataset.y) - old.y) > 0.02;
+    },
     end,
     BOUND,
   );
