@@ -26,6 +26,7 @@ constexpr Duration kRemembered = std::chrono::seconds(5);
 // Of a flood nothing more is learnt.
 constexpr int kMostPacketsAtOnce = 16;
 constexpr std::size_t kMostNamed = 4;
+constexpr std::size_t kLongestTag = 64;
 
 constexpr std::size_t kHeader = 20;
 constexpr std::uint8_t kData = 0x15;
@@ -88,8 +89,10 @@ Bytes announcement_in(Bytes body, std::uint8_t flags) {
   return body.subspan(data);
 }
 
-bool is_printable(std::string_view text) {
-  return std::ranges::all_of(text, [](char letter) { return letter > ' ' && letter < 0x7f; });
+/// What a stranger announces is shown to people: no longer than a profile's tag, no line breaks.
+bool can_be_tag(std::string_view text) {
+  return text.size() <= kLongestTag &&
+         std::ranges::all_of(text, [](char letter) { return letter > ' ' && letter < 0x7f; });
 }
 
 std::vector<ip_mreqn> memberships() {
@@ -146,7 +149,7 @@ std::optional<std::string> announced_tag(Bytes packet) {
     if (size > rest) return std::nullopt;
     if (packet[at] == kData) {
       auto tag = tag_in(announcement_in(packet.subspan(at + 4, size), flags));
-      if (tag && is_printable(*tag)) return tag;
+      if (tag && can_be_tag(*tag)) return tag;
     }
     at += 4 + size;
   }

@@ -22,7 +22,9 @@ struct AnnouncedDomain {
 
 /// What an RTPS packet announces (RTPS 2.3, 8.5.3: the data of a participant).
 ///
-/// @return the domain's tag, empty if there is none; nothing if the packet is no whole announcement
+/// @return the domain's tag, empty if there is none; nothing if the packet is no whole
+/// announcement,
+///         or what it names can be no tag (over 64 letters, or not printable)
 [[nodiscard]] std::optional<std::string> announced_tag(std::span<const std::uint8_t> packet);
 
 /// Listens where the participants of every domain announce themselves by multicast, on each network

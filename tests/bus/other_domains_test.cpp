@@ -51,6 +51,20 @@ TEST(AnnouncedTag, IsNothingInWhatIsNoWholeAnnouncement) {
   EXPECT_EQ(tag_in("RTPX" + whole.substr(4)), std::nullopt);
 }
 
+TEST(AnnouncedTag, IsNothingThatCouldNotBeShown) {
+  const auto named = [](const std::string& tag) {
+    const auto size = static_cast<char>(tag.size() + 1);
+    const auto length = static_cast<char>(tag.size() + 5);
+    const std::string parameter =
+        "\x14\x40"s + length + "\x00"s + size + "\x00\x00\x00"s + tag + "\x00"s;
+    return kHeader + data(parameter + kEnd);
+  };
+
+  EXPECT_EQ(tag_in(named(std::string(64, 'b'))), std::string(64, 'b'));
+  EXPECT_EQ(tag_in(named(std::string(65, 'b'))), std::nullopt);
+  EXPECT_EQ(tag_in(named("blue\nred")), std::nullopt);
+}
+
 TEST(AnnouncedTag, SurvivesSpoiltPackets) {
   const std::string whole = kHeader + kTimestamp + data(kLease + kBlue + kEnd);
   testing_support::holds_for_all(71, [&] {
