@@ -175,6 +175,53 @@ void FloorTexture::add_coarser_levels() {
   }
 }
 
+FloorTexture::Sum FloorTexture::sum_of(const Row& row, int level) const {
+  const Level& grid = levels_[static_cast<std::size_t>(level)];
+  if (const std::optional<Sum> inside = sum_inside(grid,
+                                                   {(row.x - min_x_) * grid.per_metre - 0.5F,
+                                                    (row.y - min_y_) * grid.per_metre - 0.5F,
+                                                    row.step_x * grid.per_metre,
+                                                    row.step_y * grid.per_metre,
+                                                    row.count})) {
+    return *inside;
+  }
+  Sum sum;
+  for (int i = 0; i < row.count; ++i) {
+    const auto steps = static_cast<float>(i);
+    const Spot spot = at(row.x + steps * row.step_x, row.y + steps * row.step_y, level);
+    sum.on_carpet += spot.brightness > 0.0F ? 1 : 0;
+    sum.brightness += spot.brightness;
+    sum.painted += spot.brightness * spot.paint;
+  }
+  return sum;
+}
+
+// A row in squares, all of whose places have neighbours to the right and below; nothing otherwise.
+// It goes on in 1/65536 of a square, so that there is no float in the loop.
+std::optional<FloorTexture::Sum> FloorTexture::sum_inside(const Level& grid, const Row& row) {
+  const auto steps = static_cast<float>(row.count - 1);
+  const float last_x = row.x + steps * row.step_x;
+  const float last_y = row.y + steps * row.step_y;
+  if (!(std::min(row.x, last_x) >= 0.01F && std::max(row.x, last_x) <= grid.last_column &&
+        std::min(row.y, last_y) >= 0.01F && std::max(row.y, last_y) <= grid.last_row)) {
+    return std::nullopt;
+  }
+  auto across = static_cast<std::int32_t>(kOne * row.x);
+  auto down = static_cast<std::int32_t>(kOne * row.y);
+  const auto step_across = static_cast<std::int32_t>(kOne * row.step_x);
+  const auto step_down = static_cast<std::int32_t>(kOne * row.step_y);
+  std::uint32_t brightness = 0;
+  std::uint64_t painted = 0;
+  for (int i = 0; i < row.count; ++i, across += step_across, down += step_down) {
+    const Blend blend = blended(grid, across, down);
+    brightness += blend.brightness;
+    painted += std::uint64_t{blend.brightness} * blend.paint;
+  }
+  return Sum{static_cast<float>(brightness) * kPerBrightness,
+             static_cast<float>(painted) * (kPerBrightness * kPerPaint),
+             row.count};
+}
+
 // Each square holds the mean of four.
 FloorTexture::Level FloorTexture::halved(const Level& fine) {
   Level coarse;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/field_model.hpp"
@@ -31,6 +32,26 @@ class FloorTexture {
   /// @param level 0 ... kLevels - 1
   [[nodiscard]] Spot at(float x, float y, int level) const;
 
+  /// Places in a straight line, one step from each to the next, in F; m.
+  struct Row {
+    float x{0.0F};  ///< of the first place
+    float y{0.0F};
+    float step_x{0.0F};
+    float step_y{0.0F};
+    int count{1};
+  };
+
+  /// The light of a row of places, as if each were looked up with `at`.
+  struct Sum {
+    float brightness{0.0F};  ///< of the places together
+    float painted{0.0F};     ///< of brightness times paint
+    int on_carpet{0};        ///< how many of them
+  };
+
+  /// @param row    of at least one place
+  /// @param level  0 ... kLevels - 1
+  [[nodiscard]] Sum sum_of(const Row& row, int level) const;
+
   /// Whether there is carpet.
   [[nodiscard]] bool is_carpet(float x, float y) const {
     return x >= min_x_ && y >= min_y_ && x < max_x_ && y < max_y_;
@@ -44,6 +65,15 @@ class FloorTexture {
 
   static constexpr std::uint8_t kPaint = 240;    // all paint
   static constexpr std::uint8_t kNominal = 160;  // brightness 1
+  static constexpr float kPerPaint = 1.0F / (256.0F * kPaint);
+  static constexpr float kPerBrightness = 1.0F / (256.0F * kNominal);
+  static constexpr float kOne = 65536.0F;  // a square, as a number of blended()
+
+  /// What lies between four squares, 256 times as fine as in a Texel.
+  struct Blend {
+    std::uint32_t paint{0};
+    std::uint32_t brightness{0};
+  };
 
   struct Level {
     int columns{0};
@@ -54,6 +84,8 @@ class FloorTexture {
     std::vector<Texel> texels;
   };
 
+  [[nodiscard]] static Blend blended(const Level& grid, std::int32_t across, std::int32_t down);
+  [[nodiscard]] static std::optional<Sum> sum_inside(const Level& grid, const Row& row);
   void paint(const FieldModel& field);
   template <class Distance>
   void paint_patch(const Eigen::Vector2d& low,
@@ -71,8 +103,8 @@ class FloorTexture {
   std::vector<Level> levels_;
 };
 
-// Here, because it is called for every pixel. Weights have four bits, so that paint and brightness
-// fit side by side into one number.
+// Here, because it is called for every pixel. Weights have four bits, so that two squares fit side
+// by side into one number.
 inline FloorTexture::Spot FloorTexture::at(float x, float y, int level) const {
   if (!is_carpet(x, y)) {
     return {};
@@ -80,23 +112,33 @@ inline FloorTexture::Spot FloorTexture::at(float x, float y, int level) const {
   const Level& grid = levels_[static_cast<std::size_t>(level)];
   const float column = std::clamp((x - min_x_) * grid.per_metre - 0.5F, 0.0F, grid.last_column);
   const float row = std::clamp((y - min_y_) * grid.per_metre - 0.5F, 0.0F, grid.last_row);
-  const auto across = static_cast<std::uint32_t>(16.0F * column);
-  const auto down = static_cast<std::uint32_t>(16.0F * row);
-  const std::uint32_t fx = across & 15U;
-  const std::uint32_t fy = down & 15U;
+  const Blend blend = blended(
+      grid, static_cast<std::int32_t>(kOne * column), static_cast<std::int32_t>(kOne * row));
+  return {static_cast<float>(blend.paint) * kPerPaint,
+          static_cast<float>(blend.brightness) * kPerBrightness};
+}
+
+inline FloorTexture::Blend FloorTexture::blended(const Level& grid,
+                                                 std::int32_t across,
+                                                 std::int32_t down) {
+  const std::uint32_t fx = static_cast<std::uint32_t>(across) >> 12U & 15U;
+  const std::uint32_t fy = static_cast<std::uint32_t>(down) >> 12U & 15U;
   const Texel* upper =
-      grid.texels.data() +
-      static_cast<std::size_t>(down >> 4U) * static_cast<std::size_t>(grid.columns) +
-      (across >> 4U);
+      grid.texels.data() + std::ptrdiff_t{down >> 16} * grid.columns + (across >> 16);
   const Texel* lower = upper + grid.columns;
-  const auto both = [](const Texel& texel) {
-    return std::uint32_t{texel.paint} | std::uint32_t{texel.brightness} << 16U;
+  // Four neighbouring bytes: the compiler makes one read of them.
+  const auto both = [](const Texel* left) {
+    return std::uint32_t{left[0].paint} | std::uint32_t{left[0].brightness} << 8U |
+           std::uint32_t{left[1].paint} << 16U | std::uint32_t{left[1].brightness} << 24U;
   };
-  const std::uint32_t sum = both(upper[0]) * ((16U - fx) * (16U - fy)) +
-                            both(upper[1]) * (fx * (16U - fy)) +
-                            both(lower[0]) * ((16U - fx) * fy) + both(lower[1]) * (fx * fy);
-  return {static_cast<float>(sum & 0xFFFFU) * (1.0F / (256.0F * kPaint)),
-          static_cast<float>(sum >> 16U) * (1.0F / (256.0F * kNominal))};
+  const auto mixed = [fx, fy](std::uint32_t first, std::uint32_t second) {
+    const std::uint32_t sides = first * (16U - fy) + second * fy;
+    return (sides & 0xFFFFU) * (16U - fx) + (sides >> 16U) * fx;
+  };
+  const std::uint32_t above = both(upper);
+  const std::uint32_t below = both(lower);
+  constexpr std::uint32_t kEven = 0x00FF00FFU;
+  return {mixed(above & kEven, below & kEven), mixed(above >> 8U & kEven, below >> 8U & kEven)};
 }
 
 }  // namespace teamsight::sim

@@ -146,10 +146,12 @@ void Renderer::make_floor_views() {
       const float square = static_cast<float>(FloorTexture::kFinest * std::exp2(view.level));
       view.samples = static_cast<std::uint8_t>(
           std::clamp(std::lround(along / std::max(square, across)), 1L, 16L));
-      const float flat = std::hypot(sight.direction_x, sight.direction_y);
-      const float step = along / static_cast<float>(view.samples) / std::max(flat, 1e-6F);
+      const float step = along / static_cast<float>(view.samples) / std::max(sight.flat, 1e-6F);
       view.step_x = step * sight.direction_x;
       view.step_y = step * sight.direction_y;
+      const float before = -0.5F * static_cast<float>(view.samples - 1);
+      view.x += before * view.step_x;
+      view.y += before * view.step_y;
     }
     floor_views_.push_back(view);
   }
@@ -229,20 +231,19 @@ void Renderer::paint_ground(const Pose<Field, Robot>& X_FR) {
   const std::span<const Sight> sights = sights_.all();
   for (std::size_t i = 0; i < floor_views_.size(); ++i) {
     const FloorView& view = floor_views_[i];
-    Light sum(0.0F, 0.0F, 0.0F, 0.0F);
-    int on_carpet = 0;
-    for (int k = 0; k < view.samples; ++k) {
-      const float offset = static_cast<float>(k) - 0.5F * static_cast<float>(view.samples - 1);
-      const float px = view.x + offset * view.step_x;
-      const float py = view.y + offset * view.step_y;
-      const FloorTexture::Spot spot = texture_.at(
-          turn.x + turn.c * px - turn.s * py, turn.y + turn.s * px + turn.c * py, view.level);
-      on_carpet += spot.brightness > 0.0F ? 1 : 0;
-      sum += spot.brightness * (carpet + spot.paint * line);
+    FloorTexture::Sum floor;
+    if (view.samples > 0) {
+      floor = texture_.sum_of({turn.x + turn.c * view.x - turn.s * view.y,
+                               turn.y + turn.s * view.x + turn.c * view.y,
+                               turn.c * view.step_x - turn.s * view.step_y,
+                               turn.s * view.step_x + turn.c * view.step_y,
+                               view.samples},
+                              view.level);
     }
+    Light sum = floor.brightness * carpet + floor.painted * line;
     const int all = std::max<int>(view.samples, 1);
-    if (on_carpet < all) {
-      sum += static_cast<float>(all - on_carpet) * beyond_carpet(sights[i], turn);
+    if (floor.on_carpet < all) {
+      sum += static_cast<float>(all - floor.on_carpet) * beyond_carpet(sights[i], turn);
     }
     fine_[view.pixel] = all == 1 ? sum : Light(sum / static_cast<float>(all));
   }

@@ -73,7 +73,7 @@ class Renderer {
  private:
   /// How a sight's patch of floor is looked up.
   struct FloorView {
-    float x{0.0F};  // its middle in R; m
+    float x{0.0F};  // of the first sample in R; m
     float y{0.0F};
     float step_x{0.0F};  // from sample to sample, away from the robot; m
     float step_y{0.0F};

@@ -8,12 +8,12 @@ namespace teamsight::sim {
 namespace {
 
 // Share of a pixel of width `pixel` whose middle lies `inside` an edge (negative: outside).
-float share_inside(float inside, float pixel) {
+inline float share_inside(float inside, float pixel) {
   return std::clamp(0.5F + inside / pixel, 0.0F, 1.0F);
 }
 
 // Share of a pixel at `place` that lies between two edges.
-float share_between(float place, float low, float high, float pixel) {
+inline float share_between(float place, float low, float high, float pixel) {
   return share_inside(high - place, pixel) - share_inside(low - place, pixel);
 }
 
@@ -30,7 +30,7 @@ struct Passing {
 };
 
 Passing pass(const Sight& sight, float x, float y) {
-  const float flat = std::max(std::hypot(sight.direction_x, sight.direction_y), 1e-6F);
+  const float flat = std::max(sight.flat, 1e-6F);
   const float ex = sight.direction_x / flat;
   const float ey = sight.direction_y / flat;
   const float dx = x - sight.origin_x;
@@ -148,16 +148,19 @@ void paint_panel(Canvas& canvas, const Sights& sights, const Panel& panel) {
       return;
     }
     const float t = (from - origin).dot(normal) / closing;
-    const float flat = direction.norm();
     if (t <= 0.0F) {
       return;
+    }
+    const float flat = sight.flat;
+    const float upright = std::max(sight.height * t / flat, 1e-5F);
+    const float z = sight.origin_z + t * sight.direction_z;
+    if (z > high + upright || z < low - upright) {
+      return;  // most sights in its sector pass above or below
     }
     const float place = (origin + t * direction - from).dot(along);
     const float slant = std::max(std::abs(closing) / flat, 0.05F);
     const float across =
         share_between(place, 0.0F, length, std::max(sight.width * t / slant, 1e-5F));
-    const float upright = std::max(sight.height * t / flat, 1e-5F);
-    const float z = sight.origin_z + t * sight.direction_z;
     const float total = across * share_between(z, low, high, upright);
     if (total > 0.0F) {
       lay_over(canvas[sight.pixel], shaded(light, lit(0.1F, 0.25F * slant)), share * total);
@@ -173,17 +176,18 @@ void shade_floor(Canvas& canvas, const Sights& sights, const Point<Robot>& p_R, 
   const auto r = static_cast<float>(radius);
   const float widest = r + 3.0F * kFade;
   const float reach = std::hypot(x, y) + widest;
-  sights.visit_sector(x, y, widest, [&](const Sight& sight) {
-    if (sight.reach > reach) {
-      return;
-    }
-    const float distance = std::hypot(sight.floor_x - x, sight.floor_y - y);
-    if (distance < widest) {
+  const auto darken = [&](const Sight& sight) {
+    const float dx = sight.floor_x - x;
+    const float dy = sight.floor_y - y;
+    const float square = dx * dx + dy * dy;
+    if (square < widest * widest) {
+      const float distance = std::sqrt(square);
       const float dark = kDark * std::exp(-std::max(distance - r, 0.0F) / kFade);
       Light& light = canvas[sight.pixel];
       light.head<3>() *= 1.0F - dark;
     }
-  });
+  };
+  sights.visit_sector(x, y, widest, darken, reach);
 }
 
 }  // namespace teamsight::sim

@@ -37,6 +37,7 @@ Sight make_sight(std::uint32_t pixel, const Line& line, const Line& beside, cons
   sight.direction_x = line.direction.x();
   sight.direction_y = line.direction.y();
   sight.direction_z = line.direction.z();
+  sight.flat = std::hypot(sight.direction_x, sight.direction_y);
   sight.pixel = pixel;
   sight.floor_x = kNever;
   sight.floor_y = kNever;
@@ -96,7 +97,8 @@ std::size_t Sights::bin_of(double azimuth) {
 }
 
 void Sights::sort_into_bins() {
-  order_.clear();
+  by_bin_.clear();
+  by_bin_.reserve(sights_.size());
   bin_starts_.clear();
   std::vector<std::vector<std::uint32_t>> bins(kBins);
   for (std::uint32_t i = 0; i < sights_.size(); ++i) {
@@ -109,10 +111,12 @@ void Sights::sort_into_bins() {
     std::sort(bin.begin(), bin.end(), [this](std::uint32_t a, std::uint32_t b) {
       return sights_[a].reach < sights_[b].reach;
     });
-    bin_starts_.push_back(static_cast<std::uint32_t>(order_.size()));
-    order_.insert(order_.end(), bin.begin(), bin.end());
+    bin_starts_.push_back(static_cast<std::uint32_t>(by_bin_.size()));
+    for (const std::uint32_t i : bin) {
+      by_bin_.push_back(sights_[i]);
+    }
   }
-  bin_starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+  bin_starts_.push_back(static_cast<std::uint32_t>(by_bin_.size()));
 }
 
 }  // namespace teamsight::sim

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Sight {
   float direction_z{0.0F};
   float width{0.0F};    ///< of the pixel, sideways; rad
   float height{0.0F};   ///< of the pixel, up and down; rad
+  float flat{0.0F};     ///< horizontal share of the direction
   float floor_x{0.0F};  ///< where it meets the floor; infinite if it does not; m
   float floor_y{0.0F};
   float reach{0.0F};       ///< how far from R's origin that is; m
@@ -46,8 +48,14 @@ class Sights {
 
   /// Calls `visit(sight)` for each sight that may meet something standing on the floor within
   /// `radius` around (x, y) in R.
+  ///
+  /// @param farthest  of the reaches that are asked for; m
   template <class Visit>
-  void visit_sector(float x, float y, float radius, Visit visit) const;
+  void visit_sector(float x,
+                    float y,
+                    float radius,
+                    Visit visit,
+                    float farthest = std::numeric_limits<float>::infinity()) const;
 
   /// The bin of a direction; rad.
   [[nodiscard]] static std::size_t bin_of(double azimuth);
@@ -62,12 +70,13 @@ class Sights {
   std::uint32_t width_;
   std::uint32_t height_;
   std::vector<Sight> sights_;
-  std::vector<std::uint32_t> order_;       // indices of sights, by bin, then by reach
-  std::vector<std::uint32_t> bin_starts_;  // of each bin in order_, and the end
+  // The same by bin, then by reach: what a sector visits lies side by side in memory.
+  std::vector<Sight> by_bin_;
+  std::vector<std::uint32_t> bin_starts_;  // of each bin in by_bin_, and the end
 };
 
 template <class Visit>
-void Sights::visit_sector(float x, float y, float radius, Visit visit) const {
+void Sights::visit_sector(float x, float y, float radius, Visit visit, float farthest) const {
   const double distance = std::sqrt(static_cast<double>(x * x + y * y));
   const double half = distance > static_cast<double>(radius) * 1.05
                           ? std::asin(static_cast<double>(radius) / distance)
@@ -80,12 +89,12 @@ void Sights::visit_sector(float x, float y, float radius, Visit visit) const {
   const float nearest = static_cast<float>(distance) - radius - 0.15F;
   for (std::size_t i = 0; i < std::min(bins, kBins); ++i) {
     const std::size_t bin = (first + kBins - kMore + i) % kBins;
-    const auto begin = order_.begin() + bin_starts_[bin];
-    const auto end = order_.begin() + bin_starts_[bin + 1];
-    auto index = std::partition_point(
-        begin, end, [&](std::uint32_t one) { return sights_[one].reach < nearest; });
-    for (; index != end; ++index) {
-      visit(sights_[*index]);
+    const auto begin = by_bin_.begin() + bin_starts_[bin];
+    const auto end = by_bin_.begin() + bin_starts_[bin + 1];
+    auto sight = std::partition_point(
+        begin, end, [nearest](const Sight& one) { return one.reach < nearest; });
+    for (; sight != end && sight->reach <= farthest; ++sight) {
+      visit(*sight);
     }
   }
 }
