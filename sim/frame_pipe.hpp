@@ -26,6 +26,9 @@ class FramePipe {
   /// Whether a frame given now would be taken: somebody reads and the last one is through.
   [[nodiscard]] bool is_free();
 
+  /// Whether somebody read when is_free() was last asked.
+  [[nodiscard]] bool is_read() const { return descriptor_ >= 0; }
+
   /// Sends one frame, or drops it if the pipe is not free.
   void send(const agent::StreamHeader& header, std::span<const std::uint8_t> picture);
 

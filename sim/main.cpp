@@ -5,13 +5,17 @@
 // truth.
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +28,7 @@
 #include "process/domains.hpp"
 #include "process/program.hpp"
 #include "settings/load.hpp"
+#include "sim/frame_rate.hpp"
 #include "sim/robot_camera.hpp"
 #include "sim/setup.hpp"
 #include "vision/image.hpp"
@@ -39,6 +44,8 @@ struct Options {
   std::string team;
   double seconds{0.0};
   std::optional<std::uint32_t> seed;
+  std::optional<double> rate_hz;
+  bool rate_that_holds{false};
   HostTime start{};
   process::DomainOptions domains;
 };
@@ -53,6 +60,12 @@ std::optional<int> parse(Options& options, int argc, const char* const* argv) {
   app.add_option("--seconds", options.seconds, "end after so long; 0: never")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--seed", options.seed, "instead of the match's");
+  CLI::Option* rate = app.add_option("--rate", options.rate_hz, "frames per s, not the match's")
+                          ->check(CLI::Range(1.0, 100.0));
+  app.add_flag("--rate-that-holds",
+               options.rate_that_holds,
+               "as many frames per s as this computer can draw beside a team; it says how many")
+      ->excludes(rate);
   app.add_option("--team-domain", options.domains.team_domain, "DDS domain instead of the team's")
       ->check(CLI::Range(0, 229));
   app.add_option("--host-tag", options.domains.host_tag, "tag of the domain that gets the truth");
@@ -110,23 +123,35 @@ class Drive {
   ObservationId id_;
 };
 
-int play_robot(const Options& options, const Setup& setup, std::size_t player) {
+// What all robots' processes are forked with: the tables of an eye are in memory once.
+struct Stage {
+  Setup setup;
+  std::optional<Eye> eye;  // of every robot; nothing if each has defects of its own
+  FrameTally tally;
+};
+
+int play_robot(const Options& options, Stage& stage, std::size_t player) {
+  const Setup& setup = stage.setup;
   bus::Loop loop;  // before any thread: it takes SIGINT and SIGTERM for all of them
   const RobotId robot = setup.parameters.own.at(player);
   FramePipe pipe(std::filesystem::path(options.frames) /
                  ("robot" + std::to_string(robot) + ".stream"));
   // Exposures are spread over the frame period, so that the drawing is too.
   const double phase = static_cast<double>(player) / static_cast<double>(setup.match.robots.size());
-  RobotCamera camera(player,
-                     {options.start, setup.match.frame_rate_hz, phase},
-                     Match(setup.parameters, setup.field),
-                     make_eye(setup, player, setup.camera.format),
-                     pipe);
+  RobotCamera camera(
+      player,
+      {options.start, setup.match.frame_rate_hz, phase},
+      Match(setup.parameters, setup.field),
+      stage.eye.has_value() ? *std::move(stage.eye) : make_eye(setup, player, setup.camera.format),
+      pipe);
   std::optional<Drive> drive;
   if (setup.match.team.has_value()) {
     drive.emplace(*setup.match.team, options.domains, robot);
   }
-  loop.every(2ms, [&] { camera.tick(bus::host_now()); });
+  loop.every(2ms, [&] {
+    camera.tick(bus::host_now());
+    stage.tally.set(player, camera.frames());
+  });
   loop.every(10ms, [&] {
     if (drive.has_value()) {
       drive->publish(camera.count(bus::host_now()));
@@ -162,8 +187,27 @@ std::size_t count_ended(std::vector<pid_t>& children) {
   return ended;
 }
 
-int tell_truth(const Options& options, const Setup& setup, std::vector<pid_t>& children) {
+void say_of_cameras(const std::string& what) {
+  std::printf("cameras: %s\n", what.c_str());
+  std::fflush(stdout);  // nothing of it may be left for a fork to say again
+}
+
+// Now and then a line about the rate, if there is something new to say.
+void watch_rate(bus::Loop& loop, const Stage& stage, RateJudge& judge) {
+  constexpr auto kWindow = 10s;
+  loop.every(kWindow, [&, last = bus::host_now()]() mutable {
+    const HostTime now = bus::host_now();
+    if (const auto news = judge.judge(stage.tally, to_seconds(now - std::exchange(last, now)))) {
+      say_of_cameras(*news);
+    }
+  });
+}
+
+int tell_truth(const Options& options, const Stage& stage, std::vector<pid_t>& children) {
+  const Setup& setup = stage.setup;
   bus::Loop loop;
+  RateJudge judge(stage.tally.cameras(), setup.match.frame_rate_hz);
+  watch_rate(loop, stage, judge);
   Match match(setup.parameters, setup.field);
   std::optional<bus::Participant> host;
   std::optional<bus::Writer<bus::Truth>> writer;
@@ -204,7 +248,7 @@ void be_child_of(pid_t parent) {
 }
 
 // Before any thread or bus: what fork() copies is only memory.
-pid_t start_robot(const Options& options, const Setup& setup, std::size_t player) {
+pid_t start_robot(const Options& options, Stage& stage, std::size_t player) {
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child != 0) {
@@ -212,15 +256,15 @@ pid_t start_robot(const Options& options, const Setup& setup, std::size_t player
   }
   be_child_of(parent);
   const auto play = [&] {
-    return play_robot(options, setup, player);
+    return play_robot(options, stage, player);
   };
   ::_exit(process::run_program("teamsight-sim", play));
 }
 
-std::vector<pid_t> start_robots(const Options& options, const Setup& setup) {
+std::vector<pid_t> start_robots(const Options& options, Stage& stage) {
   std::vector<pid_t> children;
-  for (std::size_t player = 0; player < setup.match.robots.size(); ++player) {
-    children.push_back(start_robot(options, setup, player));
+  for (std::size_t player = 0; player < stage.setup.match.robots.size(); ++player) {
+    children.push_back(start_robot(options, stage, player));
   }
   return children;
 }
@@ -234,14 +278,58 @@ void end_robots(const std::vector<pid_t>& children) {
   }
 }
 
+Stage set_stage(const Options& options) {
+  Setup setup = load(options);
+  std::optional<Eye> eye;
+  if (setup.match.picture.defect_seed == 0) {
+    eye = make_eye(setup, 0, setup.camera.format);
+  }
+  const std::size_t cameras = setup.match.robots.size();
+  return {std::move(setup), std::move(eye), FrameTally(cameras)};
+}
+
+std::string fit_rate(Stage& stage) {
+  settings::MatchSettings& match = stage.setup.match;
+  std::optional<Eye> own;
+  if (!stage.eye.has_value()) {
+    own = make_eye(stage.setup, 0, stage.setup.camera.format);
+  }
+  const Duration draw = time_to_draw(stage.setup, own.has_value() ? *own : *stage.eye);
+  const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
+  match.frame_rate_hz = rate_that_holds(draw, match.robots.size(), cores);
+  return fmt::format("this computer has {} core{} and draws one picture in {:.0f} ms",
+                     cores,
+                     cores == 1 ? "" : "s",
+                     to_seconds(draw) * 1e3);
+}
+
+// The rate that is asked for, or one that fits; says which and why.
+void choose_rate(const Options& options, Stage& stage) {
+  settings::MatchSettings& match = stage.setup.match;
+  std::string why = "as the match file says";
+  if (options.rate_that_holds) {
+    why = fit_rate(stage);
+  } else if (options.rate_hz.has_value()) {
+    match.frame_rate_hz = *options.rate_hz;
+    why = "as asked";
+  }
+  say_of_cameras(fmt::format("{} of {}x{} at {:g} Hz: {}",
+                             match.robots.size(),
+                             stage.setup.camera.width_px,
+                             stage.setup.camera.height_px,
+                             match.frame_rate_hz,
+                             why));
+}
+
 int run(Options options) {
-  const Setup setup = load(options);
-  options.start = bus::host_now();
+  Stage stage = set_stage(options);
   std::filesystem::create_directories(options.frames);
+  choose_rate(options, stage);
+  options.start = bus::host_now();
   const bus::HeldSignals held;  // or the second of two ends it before its robots
-  std::vector<pid_t> children = start_robots(options, setup);
+  std::vector<pid_t> children = start_robots(options, stage);
   try {
-    const int code = tell_truth(options, setup, children);
+    const int code = tell_truth(options, stage, children);
     end_robots(children);
     return code;
   } catch (...) {

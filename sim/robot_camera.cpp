@@ -44,9 +44,13 @@ void RobotCamera::tick(HostTime now) {
   if (due < static_cast<double>(frame_ + 1)) {
     return;
   }
+  const std::uint64_t before = frame_;
   frame_ = static_cast<std::uint64_t>(due);  // frames that should have been before now are lost
   advance_to(now);
-  if (pipe_->is_free()) {
+  const bool is_free = pipe_->is_free();
+  frames_.due += pipe_->is_read() ? frame_ - before : 0;
+  if (is_free) {
+    ++frames_.taken;
     look();
   }
 }

@@ -7,6 +7,7 @@
 
 #include "geometry/time.hpp"
 #include "sim/frame_pipe.hpp"
+#include "sim/frame_rate.hpp"
 #include "sim/match/match.hpp"
 #include "sim/match/wheels.hpp"
 #include "sim/render/renderer.hpp"
@@ -33,6 +34,9 @@ class RobotCamera {
 
   /// Exposes when it is time for it; called every few milliseconds.
   void tick(HostTime now);
+
+  /// Of all ticks until now.
+  [[nodiscard]] const FrameCount& frames() const { return frames_; }
 
   /// What the wheels have counted.
   struct Count {
@@ -61,6 +65,7 @@ class RobotCamera {
   Scene scene_;
   std::vector<std::uint8_t> picture_;
   std::uint64_t frame_{0};
+  FrameCount frames_;
 };
 
 }  // namespace teamsight::sim

@@ -48,7 +48,9 @@ std::vector<pid_t> processes_using(const fs::path& folder) {
 class Demo {
  public:
   // @param more  arguments
-  explicit Demo(const std::vector<std::string>& more = {}) : process_(command(more)) {}
+  // @param rate  of the cameras; empty: the demo's own choice
+  explicit Demo(const std::vector<std::string>& more = {}, const std::string& rate = "5")
+      : process_(command(more, rate)) {}
 
   // Waits until it says that the team is playing.
   [[nodiscard]] bool plays() {
@@ -61,25 +63,28 @@ class Demo {
 
   [[nodiscard]] fs::path folder() const { return matched("Logs: ([^ \n]+)/[*].log"); }
 
+  // Whether its output has this; a regular expression.
+  [[nodiscard]] bool said(const std::string& pattern) const {
+    return std::regex_search(process_.out(), std::regex(pattern));
+  }
+
   [[nodiscard]] ChildProcess& process() { return process_; }
 
   [[nodiscard]] std::string all_said() const { return process_.out() + process_.err(); }
 
  private:
-  static std::vector<std::string> command(const std::vector<std::string>& more) {
+  static std::vector<std::string> command(const std::vector<std::string>& more,
+                                          const std::string& rate) {
     std::vector<std::string> argv{source_path("deploy/demo").string(),
                                   "--robots",
                                   "2",
-                                  "--rate",
-                                  "5",
                                   "--bin",
                                   program("teamsight-agent").parent_path().string()};
+    if (!rate.empty()) {
+      argv.insert(argv.end(), {"--rate", rate});
+    }
     argv.insert(argv.end(), more.begin(), more.end());
     return argv;
-  }
-
-  [[nodiscard]] bool said(const std::string& pattern) const {
-    return std::regex_search(process_.out(), std::regex(pattern));
   }
 
   [[nodiscard]] std::string matched(const std::string& pattern) const {
@@ -120,6 +125,24 @@ TEST(Demo, PlaysBeforeARefereeBoxThatHearsOfItsWorld) {
 
   demo.process().kill(SIGINT);
   EXPECT_EQ(demo.process().wait_exit(kEnd), 0) << demo.all_said();
+}
+
+TEST(Demo, DrawsAtTheRateThatItIsAskedForAndSaysWhetherItHolds) {
+  Demo demo;
+  ASSERT_TRUE(demo.plays()) << demo.all_said();
+  EXPECT_TRUE(demo.said("cameras: 2 of 640x480 at 5 Hz: as asked")) << demo.all_said();
+
+  EXPECT_TRUE(wait_until(
+      [&] { return demo.said("cameras: (hold|do not hold their rate:) [0-9.]+ of 5 Hz"); }, kStart))
+      << demo.all_said();
+}
+
+TEST(Demo, ChoosesARateForThisComputer) {
+  Demo demo({}, "");
+  ASSERT_TRUE(demo.plays()) << demo.all_said();
+
+  EXPECT_TRUE(demo.said("cameras: 2 of 640x480 at [0-9]+ Hz: this computer has [0-9]+ core"))
+      << demo.all_said();
 }
 
 TEST(Demo, SaysWhichProcessEndedAndEndsTheOthers) {
