@@ -27,6 +27,7 @@ class BallKind {
         setting_(setting) {
     observer_.posture = glance_.posture;
     observer_.place = errors_.place_of(glance_.robot);
+    observer_.cov_fresh = errors_.fresh(observer_.place, glance_.posture);
     if (observer_.place != kNoPlace) observer_.errors = errors_.mean(observer_.place);
     observer_.sigma_exposure = to_seconds(glance_.sigma_exposure);
     observer_.ball_radius = setting.motion.radius;

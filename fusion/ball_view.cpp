@@ -102,10 +102,8 @@ ConsideredView<6, 3> view_of_ball(const BallVector& ball,
   view.slope_errors.leftCols<2>() = view.slope.leftCols<2>();
   view.slope_errors.col(2) = by_place.leftCols<2>() * Eigen::Vector2d(-body_R.y(), body_R.x());
   view.slope_errors.col(3) << 0.0, seen.drop * seen.range / distance_squared, 0.0;
-  if (observer.place == kNoPlace) {
-    const auto by_posture = view.slope_errors.leftCols<3>();
-    view.cov += by_posture * observer.posture.cov * by_posture.transpose();
-  }
+  const auto by_posture = view.slope_errors.leftCols<3>();
+  view.cov += by_posture * observer.cov_fresh * by_posture.transpose();
   const Eigen::Vector3d moved = view.slope.leftCols<3>() * ball.tail<3>() * observer.sigma_exposure;
   view.cov += moved * moved.transpose();
   return view;

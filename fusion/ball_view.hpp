@@ -11,11 +11,13 @@ namespace teamsight::fusion {
 
 /// Who looks at a ball, and how sure that is.
 struct BallObserver {
-  PostureEstimate posture;     ///< as it says
-  ErrorPlace place{kNoPlace};  ///< kNoPlace: the posture's covariance is taken as new each time
+  PostureEstimate posture;                  ///< as it says
+  ErrorPlace place{kNoPlace};               ///< of what is remembered of its errors
   ErrorVector errors{ErrorVector::Zero()};  ///< estimated; the posture is corrected by them
-  double sigma_exposure{0.0};               ///< s; times the ball's speed it moves the ball
-  double ball_radius{0.11};                 ///< m
+  /// Of (x, y, theta): by what the posture errs beside, anew in each frame.
+  Eigen::Matrix3d cov_fresh{Eigen::Matrix3d::Zero()};
+  double sigma_exposure{0.0};  ///< s; times the ball's speed it moves the ball
+  double ball_radius{0.11};    ///< m
 };
 
 /// The ray as an observation of (azimuth, elevation, angular radius) of a ball, linear around

@@ -76,6 +76,8 @@ struct TeammateParameters {
   double body_reach{0.55};
   /// How long a posture's error lasts while the robot's own covariance stays; see TeamErrors.
   Duration posture_memory{std::chrono::seconds(1)};
+  /// Over how long it is measured how much of a posture's error is new; see PostureJitter.
+  Duration jitter_memory{std::chrono::seconds(2)};
   double sigma_scale{0.02};  ///< share by which a robot sees things too far away
   Duration scale_memory{std::chrono::seconds(60)};
   Duration forget_age{std::chrono::seconds(5)};        ///< silent for longer: not listed

@@ -39,11 +39,11 @@ Candidate make_candidate(const PlanarMeasurement& measurement,
   return candidate;
 }
 
-/// The posture as if it were certain, to see what else is uncertain.
-PostureEstimate certain(const PostureEstimate& posture) {
-  PostureEstimate exact = posture;
-  exact.cov.setZero();
-  return exact;
+/// The posture as if its remembered errors were none, to see what else is uncertain.
+PostureEstimate without_lasting(const Observation& observation, const TeamErrors& errors) {
+  PostureEstimate posture = observation.posture;
+  posture.cov = errors.fresh(errors.place_of(observation.id.robot), posture);
+  return posture;
 }
 
 /// Somewhere along a ray that goes up, or meets the floor far outside.
@@ -55,8 +55,11 @@ PlanarMeasurement anywhere_along(const BallRay& ray, const PostureEstimate& post
   return measurement;
 }
 
-CandidateList ball_candidates(const Observation& observation, const Setting& setting) {
+CandidateList ball_candidates(const Observation& observation,
+                              const TeamErrors& errors,
+                              const Setting& setting) {
   CandidateList candidates;
+  const PostureEstimate fresh = without_lasting(observation, errors);
   const double radius = setting.parameters.ball_radius;
   for (std::uint32_t index = 0; index < observation.balls.size(); ++index) {
     const BallRay& ray = observation.balls[index];
@@ -70,7 +73,7 @@ CandidateList ball_candidates(const Observation& observation, const Setting& set
                        radius);
     candidate.may_begin = may_begin;
     if (may_begin) {
-      candidate.cov_own = measure_ball(ray, certain(observation.posture), radius)->cov_F;
+      candidate.cov_own = measure_ball(ray, fresh, radius)->cov_F;
     }
     candidate.confidence = ray.confidence;
     candidate.key = track_key(observation.id, index);
@@ -80,8 +83,11 @@ CandidateList ball_candidates(const Observation& observation, const Setting& set
   return candidates;
 }
 
-CandidateList obstacle_candidates(const Observation& observation, const Setting& setting) {
+CandidateList obstacle_candidates(const Observation& observation,
+                                  const TeamErrors& errors,
+                                  const Setting& setting) {
   CandidateList candidates;
+  const PostureEstimate fresh = without_lasting(observation, errors);
   for (std::uint32_t index = 0; index < observation.obstacles.size(); ++index) {
     const ObstacleSighting& sighting = observation.obstacles[index];
     if (sighting.confidence < setting.parameters.obstacle.min_confidence) continue;
@@ -91,7 +97,7 @@ CandidateList obstacle_candidates(const Observation& observation, const Setting&
     if (!is_on_carpet(measurement.p_F, setting)) continue;
     Candidate candidate =
         make_candidate(measurement, observation.posture.X_FR.origin().vector(), radius);
-    candidate.cov_own = measure_obstacle(sighting, certain(observation.posture), radius).cov_F;
+    candidate.cov_own = measure_obstacle(sighting, fresh, radius).cov_F;
     candidate.confidence = sighting.confidence;
     candidate.key = track_key(observation.id, kFirstObstacleIndex + index);
     candidate.index = index;
@@ -105,7 +111,7 @@ struct Body {
   RobotId robot{kNobody};
   Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};              ///< m
   Eigen::Matrix2d cov{Eigen::Matrix2d::Identity()};          ///< of p_F; m^2
-  Eigen::Matrix2d cov_carried{Eigen::Matrix2d::Identity()};  ///< what the way since then added
+  Eigen::Matrix2d cov_carried{Eigen::Matrix2d::Identity()};  ///< without its remembered errors'
   bool is_turned{false};  ///< it says that it is at the mirror image
 };
 
@@ -129,7 +135,9 @@ std::optional<Body> body_of(const Teammate& teammate,
   body.is_turned = verdict == Quarantine::kMirrored;
   body.p_F = (body.is_turned ? mirrored(carried.X_FR) : carried.X_FR).origin().vector();
   body.cov = carried.cov.topLeftCorner<2, 2>();
-  body.cov_carried = carried.cov_since.topLeftCorner<2, 2>();
+  const Eigen::Matrix3d fresh =
+      state.errors.fresh(state.errors.place_of(teammate.robot), teammate.posture.last);
+  body.cov_carried = (carried.cov_since + fresh).topLeftCorner<2, 2>();
   return body;
 }
 
@@ -151,8 +159,7 @@ TeamErrors::Residual residual_of(const Candidate& seen,
   residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.watched = state.errors.place_of(body.robot);
   residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();
-  residual.cov = (residual.observer == kNoPlace ? seen.measurement.cov_F : seen.cov_own) +
-                 (residual.watched == kNoPlace ? body.cov : body.cov_carried) +
+  residual.cov = seen.cov_own + (residual.watched == kNoPlace ? body.cov : body.cov_carried) +
                  aside * aside * Eigen::Matrix2d::Identity();
   return residual;
 }
@@ -177,8 +184,11 @@ Glance glance_of(const Observation& observation) {
 
 }  // namespace
 
-Sighted sighted_in(const Observation& observation, const Setting& setting) {
-  return {ball_candidates(observation, setting), obstacle_candidates(observation, setting)};
+Sighted sighted_in(const Observation& observation,
+                   const TeamErrors& errors,
+                   const Setting& setting) {
+  return {ball_candidates(observation, errors, setting),
+          obstacle_candidates(observation, errors, setting)};
 }
 
 MateSightings find_teammates(const CandidateList& candidates,

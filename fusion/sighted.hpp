@@ -15,7 +15,11 @@ struct Sighted {
 };
 
 /// Rays that do not meet the carpet may be a flying ball's, and begin no track.
-[[nodiscard]] Sighted sighted_in(const Observation& observation, const Setting& setting);
+///
+/// @param errors  with this frame's posture reported already
+[[nodiscard]] Sighted sighted_in(const Observation& observation,
+                                 const TeamErrors& errors,
+                                 const Setting& setting);
 
 /// Which candidate is which teammate, by index; kUnassigned where it is none.
 struct MateSightings {

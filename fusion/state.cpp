@@ -173,7 +173,7 @@ void advance(State& state, const Observation& observation, const Setting& settin
   if (sees_ball(observation, parameters)) observer.ball_seen = observation.exposure;
   const bool has_posture =
       quarantine_of(observer, observation.exposure, parameters.teammate) == Quarantine::kNone;
-  const Sighted sighted = has_posture ? sighted_in(observation, setting) : Sighted{};
+  const Sighted sighted = has_posture ? sighted_in(observation, state.errors, setting) : Sighted{};
   if (has_posture) gather_evidence(state, observation, sighted, setting);
   if (quarantine_at(state, observer, observation.exposure, parameters) != Quarantine::kNone) {
     ++observer.rejected_posture;

@@ -12,6 +12,8 @@
 namespace teamsight::fusion {
 namespace {
 
+constexpr double kLeastShare = 1e-3;  // root of a share of a covariance that is not divided by
+
 /// The smallest generalised eigenvalue of (after, before): below 1 where the covariance shrank.
 double least_growth(const Eigen::Matrix3d& before, const Eigen::Matrix3d& after) {
   const Eigen::LLT<Eigen::Matrix3d> factor(before);
@@ -76,9 +78,13 @@ void TeamErrors::restart(ErrorPlace place, const Eigen::Matrix3d& cov_posture) {
   cov_(at + 3, at + 3) = parameters_.sigma_scale * parameters_.sigma_scale;
 }
 
-ErrorMatrix TeamErrors::carry(ErrorPlace place, const PostureEstimate& posture, double dt) {
+ErrorMatrix TeamErrors::carry(ErrorPlace place,
+                              const PostureEstimate& posture,
+                              const PostureJitter& jitter,
+                              double dt) {
   const int at = kErrorSize * place;
-  const PostureEstimate& said = known_[static_cast<std::size_t>(place)].said;
+  const Known& known = known_[static_cast<std::size_t>(place)];
+  const PostureEstimate& said = known.said;
   const double growth = least_growth(said.cov, posture.cov);
   ErrorMatrix keep = ErrorMatrix::Zero();
   auto mean = mean_.segment<kErrorSize>(at);
@@ -92,10 +98,17 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place, const PostureEstimate& posture, 
         std::exp(-dt / to_seconds(parameters_.posture_memory)) * std::sqrt(std::min(1.0, growth));
     keep.topLeftCorner<3, 3>() = share * Eigen::Matrix3d::Identity();
   }
+  // What turns out to be drawn anew each time was no error that lasts.
+  const Eigen::Vector3d left = jitter.lasting_root()
+                                   .cwiseQuotient(known.jitter.lasting_root().cwiseMax(kLeastShare))
+                                   .cwiseMin(1.0);
+  keep.topLeftCorner<3, 3>() *= left.asDiagonal();
   keep(3, 3) = std::exp(-dt / to_seconds(parameters_.scale_memory));
   const auto keep_posture = keep.topLeftCorner<3, 3>();
   const Eigen::Matrix3d news =
-      positive_part(posture.cov - keep_posture * said.cov * keep_posture.transpose());
+
+      positive_part(jitter.lasting(posture.cov) -
+                    keep_posture * known.jitter.lasting(said.cov) * keep_posture.transpose());
   mean = (keep * mean + drift).eval();
   cov_.middleRows<kErrorSize>(at) = (keep * cov_.middleRows<kErrorSize>(at)).eval();
   cov_.middleCols<kErrorSize>(at) = (cov_.middleCols<kErrorSize>(at) * keep.transpose()).eval();
@@ -116,12 +129,24 @@ ErrorMatrix TeamErrors::report(RobotId robot,
   if (place == kNoPlace) return keep;
   Known& known = known_[static_cast<std::size_t>(place)];
   if (is_unknown || is_new) {
-    restart(place, posture.cov);
+    known.jitter.interrupt();
+    known.jitter.take(posture.X_FR, posture.cov, exposure, parameters_);
+    restart(place, known.jitter.lasting(posture.cov));
   } else {
-    keep = carry(place, posture, std::max(0.0, to_seconds(exposure - known.seen)));
+    PostureJitter jitter = known.jitter;
+    jitter.take(posture.X_FR, posture.cov, exposure, parameters_);
+    keep = carry(place, posture, jitter, std::max(0.0, to_seconds(exposure - known.seen)));
+    known.jitter = jitter;
   }
-  known = {robot, std::max(known.seen, exposure), posture};
+  known.robot = robot;
+  known.seen = std::max(known.seen, exposure);
+  known.said = posture;
   return keep;
+}
+
+Eigen::Matrix3d TeamErrors::fresh(ErrorPlace place, const PostureEstimate& posture) const {
+  if (place == kNoPlace) return posture.cov;
+  return known_[static_cast<std::size_t>(place)].jitter.fresh(posture.cov);
 }
 
 ErrorVector TeamErrors::mean(ErrorPlace place) const {

@@ -6,14 +6,15 @@
 #include <Eigen/Core>
 
 #include "fusion/parameters.hpp"
+#include "fusion/posture_jitter.hpp"
 #include "geometry/identity.hpp"
 #include "geometry/sighting.hpp"
 #include "geometry/time.hpp"
 
 namespace teamsight::fusion {
 
-/// Of one robot: (x, y, theta) of its reported posture minus the truth, in F, and the share by
-/// which it sees things too far away.
+/// Of one robot: what lasts of (x, y, theta) of its reported posture minus the truth, in F, and the
+/// share by which it sees things too far away.
 inline constexpr int kErrorSize = 4;
 /// Robots whose errors are remembered; those beyond are taken to err anew in each frame.
 inline constexpr int kMaxErrorRobots = 8;
@@ -31,8 +32,8 @@ inline constexpr ErrorPlace kNoPlace = -1;
 /// The errors of all robots as one Gaussian. While the covariance that a robot says grows, it only
 /// counts its wheels: the error is carried along. Else its error fades over `posture_memory`, and
 /// as much as the said covariance shrinks, and is renewed so that its covariance is what the robot
-/// says. Sightings of each other tell of them; how they correlate with tracks is kept in the
-/// tracks [Schmidt66].
+/// says, without the part that is new in each frame (fusion/posture_jitter.hpp). Sightings of each
+/// other tell of them; how they correlate with tracks is kept in the tracks [Schmidt66].
 class TeamErrors {
  public:
   explicit TeamErrors(const TeammateParameters& parameters = {}) : parameters_(parameters) {}
@@ -49,6 +50,10 @@ class TeamErrors {
 
   /// How many entries of the joint state are in use; they come first.
   [[nodiscard]] int active() const { return kErrorSize * robots_; }
+
+  /// Covariance of what a posture errs by beside the remembered errors, drawn anew in each frame:
+  /// all that the posture says for a robot that is not remembered.
+  [[nodiscard]] Eigen::Matrix3d fresh(ErrorPlace place, const PostureEstimate& posture) const;
 
   [[nodiscard]] ErrorVector mean(ErrorPlace place) const;
   [[nodiscard]] ErrorMatrix cov(ErrorPlace place) const;
@@ -83,11 +88,15 @@ class TeamErrors {
     RobotId robot{kNobody};
     HostTime seen{};
     PostureEstimate said;
+    PostureJitter jitter;
   };
 
   [[nodiscard]] ErrorPlace make_place(RobotId robot, HostTime exposure);
   void restart(ErrorPlace place, const Eigen::Matrix3d& cov_posture);
-  ErrorMatrix carry(ErrorPlace place, const PostureEstimate& posture, double dt);
+  ErrorMatrix carry(ErrorPlace place,
+                    const PostureEstimate& posture,
+                    const PostureJitter& jitter,
+                    double dt);
 
   TeammateParameters parameters_;
   std::array<Known, kMaxErrorRobots> known_{};

@@ -100,7 +100,7 @@ class ObstacleKind {
     view.slope_errors = place_slope(way_to(candidate));
     view.observer = observer_;
     view.gap = candidate.measurement.p_F - track.state.mean.head<2>();
-    view.cov = observer_ == kNoPlace ? candidate.measurement.cov_F : candidate.cov_own;
+    view.cov = candidate.cov_own;
     if (observer_ != kNoPlace) view.gap -= view.slope_errors * errors_.mean(observer_);
     // An uncertain stamp moves a fast thing.
     const Eigen::Vector2d way = track.state.mean.tail<2>() * to_seconds(glance_.sigma_exposure);

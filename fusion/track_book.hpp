@@ -94,7 +94,7 @@ void write_hit(TrackBook& book, const Vote& vote, double nis, const TrackParamet
 /// One thing that one frame shows, in F.
 struct Candidate {
   PlanarMeasurement measurement;                         ///< with the errors' covariance in it
-  Eigen::Matrix2d cov_own{Eigen::Matrix2d::Identity()};  ///< without; m^2
+  Eigen::Matrix2d cov_own{Eigen::Matrix2d::Identity()};  ///< without remembered errors'; m^2
   double confidence{0.0};
   double radius{0.0};      ///< m
   double azimuth{0.0};     ///< from the observer, in F; rad

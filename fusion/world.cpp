@@ -60,7 +60,8 @@ void fill_posture(const State& state,
   const Eigen::Vector3d error = state.errors.mean(place).head<3>();
   const Eigen::Vector3d corrected = carried.X_FR.vector() - error;
   teammate.X_FR = {corrected.x(), corrected.y(), corrected.z()};
-  const Eigen::Matrix3d cov = state.errors.cov(place).topLeftCorner<3, 3>() + carried.cov_since;
+  const Eigen::Matrix3d cov = state.errors.cov(place).topLeftCorner<3, 3>() + carried.cov_since +
+                              state.errors.fresh(place, known.posture.last);
   teammate.cov = 0.5 * (cov + cov.transpose());
 }
 

@@ -100,15 +100,15 @@ TEST(BallView, ItsSlopeByTheObserversErrorsIsTheDerivative) {
   }
 }
 
-TEST(BallView, OfAnObserverWhoseErrorsAreNotKeptIsAsUncertainAsItsPosture) {
+TEST(BallView, IsTheLessSureTheMoreThePostureErrsAnew) {
   const Look look = looks()[1];
-  BallObserver unknown = look.observer;
-  unknown.place = kNoPlace;
+  BallObserver shaking = look.observer;
+  shaking.cov_fresh = look.observer.posture.cov;
 
-  const auto kept = view_of_ball(look.ball, ray_towards(0.0, -0.1), look.observer);
-  const auto added = view_of_ball(look.ball, ray_towards(0.0, -0.1), unknown);
+  const auto steady = view_of_ball(look.ball, ray_towards(0.0, -0.1), look.observer);
+  const auto shaken = view_of_ball(look.ball, ray_towards(0.0, -0.1), shaking);
 
-  EXPECT_GT(added.cov(0, 0), kept.cov(0, 0) + 0.003);  // the heading's variance, and the place's
+  EXPECT_GT(shaken.cov(0, 0), steady.cov(0, 0) + 0.003);  // the heading's variance, and the place's
 }
 
 TEST(BallView, WithoutAnAngularRadiusSaysNothingAboutIt) {
