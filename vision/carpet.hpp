@@ -24,11 +24,10 @@ class CarpetMeter {
  public:
   void clear() { *this = {}; }
 
-  void add_green(float luminance, Chroma chroma) {
-    ++histogram_[static_cast<std::size_t>(luminance) & 255U];
+  void add_green(std::uint8_t luminance, Chroma chroma) {
+    ++histogram_[luminance];
     sum_u_ += chroma.u;
     sum_v_ += chroma.v;
-    ++green_;
   }
 
   void add_samples(std::size_t count) { samples_ += count; }
@@ -39,7 +38,6 @@ class CarpetMeter {
   std::array<std::uint32_t, 256> histogram_{};
   std::uint64_t sum_u_{0};
   std::uint64_t sum_v_{0};
-  std::size_t green_{0};
   std::size_t samples_{0};
 };
 

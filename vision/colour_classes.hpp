@@ -26,6 +26,9 @@ class ColourClasses {
   /// @pre all gains are positive
   void adapt(const LightGains& gains);
 
+  /// Whether colours must be restored: the light is not the camera file's.
+  [[nodiscard]] bool is_adapted() const { return is_adapted_; }
+
   /// What the camera file's light would have made of a colour; itself unless adapted.
   [[nodiscard]] SampledColour restored(std::uint8_t y, Chroma chroma) const {
     if (!is_adapted_) return {y, chroma.u, chroma.v};

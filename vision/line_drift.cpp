@@ -26,10 +26,10 @@ Eigen::Matrix<double, 2, 3> floor_slopes(const LinePoint& point, const DriftGeom
   const auto column = static_cast<std::uint32_t>(std::clamp(point.u_px, 0.0, rays.width() - 1.0));
   const auto row = static_cast<std::uint32_t>(std::clamp(point.v_px, 0.0, rays.height() - 1.0));
   const PixelRay& ray = rays.at(column, row);
-  const double direction =
-      std::atan2(geometry.centre.v - point.v_px, point.u_px - geometry.centre.u);
-  const double c = std::cos(direction);
-  const double s = std::sin(direction);
+  const Eigen::Vector2d from_centre{point.u_px - geometry.centre.u, geometry.centre.v - point.v_px};
+  const Eigen::Vector2d direction = from_centre / std::max(from_centre.norm(), 1e-6);
+  const double c = direction.x();
+  const double s = direction.y();
   const Eigen::Vector2d p_R = point.p_R.vector();
   const Eigen::Vector2d away = p_R / std::max(p_R.norm(), 1e-6);
   // Counter-clockwise in the picture, on the floor.

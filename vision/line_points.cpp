@@ -16,7 +16,7 @@ constexpr float kBlur = 1.8F;        // px: what optics and interpolation add to
 constexpr float kSteepness = 0.3F;   // of the contrast, that an edge must rise in two samples
 constexpr int kBase = 4;             // samples in which the floor beside an edge is looked for
 constexpr std::size_t kNarrow = 4;   // samples; no wider a bump may be as wide as it likes
-constexpr std::size_t kAsk = 16;     // samples after which a bump's width is looked at
+constexpr std::size_t kAsk = 8;      // samples after which a bump's width is looked at
 constexpr double kWidest = 1.6;      // of the paint's width: crossed at 50 degrees
 constexpr double kNarrowest = 0.45;  // of the paint's width
 constexpr double kCalibrationSigma = 0.25;  // px; what the camera model may be wrong by
@@ -86,18 +86,24 @@ std::optional<Summit> summit_behind(Line line,
                                     std::size_t i,
                                     const BumpRules& rules) {
   Summit summit{lowest(profile, i > kBase ? i - kBase : 0, i), i, i + 1};
+  const std::size_t n = profile.size();
+  float peak = profile[i];
+  float half = 0.5F * (summit.base + peak);
   std::size_t& j = summit.foot;
-  for (; j < profile.size() && profile[j] > 0.5F * (summit.base + profile[summit.top]); ++j) {
-    if (profile[j] > profile[summit.top]) summit.top = j;
+  while (j < n && profile[j] > half) {
+    const std::size_t asked = std::min(j + kAsk, n);
+    for (; j < asked && profile[j] > half; ++j) {
+      if (profile[j] <= peak) continue;
+      peak = profile[j];
+      summit.top = j;
+      half = 0.5F * (summit.base + peak);
+    }
     // A line leads away from where it was: asked now and then, and at the end.
-    const bool is_asked = (j - i) % kAsk == 0;
-    if (is_asked && are_apart(line[i], line[j], rules.widest)) return std::nullopt;
+    const std::size_t last = j - 1;
+    if (last > i + kNarrow && are_apart(line[i], line[last], rules.widest)) return std::nullopt;
   }
-  const bool is_whole = j < profile.size() && summit.top != i;
-  if (!is_whole || profile[summit.top] - summit.base < rules.contrast) return std::nullopt;
-  const std::size_t last = j - 1;
-  const bool is_wide = last > i + kNarrow && are_apart(line[i], line[last], rules.widest);
-  return is_wide ? std::nullopt : std::optional(summit);
+  const bool is_whole = j < n && summit.top != i && peak - summit.base >= rules.contrast;
+  return is_whole ? std::optional(summit) : std::nullopt;
 }
 
 // The bump whose rising edge is steepest at sample `i`.

@@ -21,6 +21,8 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::uint32_t kTwoBytes = 0x00FF00FF;
 constexpr std::uint32_t kWhole = 256;  // of a tap's weights
 constexpr std::size_t kWidestWindow = 127;
+constexpr std::size_t kSpare = ChromaReader::kSpare;
+static_assert(kSpare >= kLanes);
 
 template <class Word>
 std::uint32_t load(const std::uint8_t* from) {
@@ -192,13 +194,13 @@ void read_luminance(const PixelReader& pixels,
 ChromaReader::ChromaReader(std::size_t window, std::size_t longest)
     : window_(window | 1U),
       single_(longest + window_ - 1 + kLanes),
-      mean_(longest + kLanes) {
+      mean_(longest + kSpare) {
   TEAMSIGHT_EXPECT(window_ <= kWidestWindow);
 }
 
 std::span<const Chroma> ChromaReader::read(const PixelReader& pixels,
                                            std::span<const SampleTap> taps) {
-  TEAMSIGHT_EXPECT(!taps.empty() && taps.size() + kLanes <= mean_.size());
+  TEAMSIGHT_EXPECT(!taps.empty() && taps.size() + kSpare <= mean_.size());
   const std::size_t n = taps.size();
   const std::size_t half = window_ / 2;
   const std::span<std::uint32_t> line = std::span(single_).subspan(half, n);

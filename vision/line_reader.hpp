@@ -21,6 +21,9 @@ void read_luminance(const PixelReader& pixels,
 /// Chroma of single pixels is noisy, more so in the dark: its mean over a window of the line.
 class ChromaReader {
  public:
+  /// So many values behind those of a line may be loaded as well; they mean nothing.
+  static constexpr std::size_t kSpare = 8;
+
   /// @param window  samples, odd, less than 128
   /// @param longest  of the lines to be read
   ChromaReader(std::size_t window, std::size_t longest);

@@ -144,9 +144,10 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
   observation.line_fits.clear();
   observation.drift = {};
   if (result.estimate.status == PostureStatus::kLost) return;
+  const PostureResiduals residuals(
+      posture.map(), result.estimate.X_FR, result.tilt, head.eye_height);
   for (const LinePoint& point : observation.line_points) {
-    const LineResidual residual =
-        line_residual(posture.map(), result.estimate.X_FR, point, result.tilt, head.eye_height);
+    const LineResidual residual = residuals.of(point);
     observation.line_residuals.push_back(residual.distance);
     observation.line_fits.push_back(is_inlier(residual, result.scale));
   }

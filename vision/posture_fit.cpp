@@ -89,28 +89,31 @@ bool is_inlier(const LineResidual& residual, double scale) {
   return std::abs(residual.distance) < std::min(gate, kWidest);
 }
 
+LineResidual PostureResiduals::of(const LinePoint& point) const {
+  const Eigen::Vector2d p_R = point.p_R.vector();
+  const double lift = (tilt_.x() * p_R.y() - tilt_.y() * p_R.x()) / eye_height_;
+  // No ray that met the floor rises to the horizon.
+  const double stretch = 1.0 / (1.0 - std::min(lift, kMostLift));
+  const Eigen::Vector2d seen_F = R_FR_ * p_R;
+  const Eigen::Vector2d p_RL_F = stretch * seen_F;
+  const NearestLine nearest = map_->nearest(p_FR_ + p_RL_F);
+  const Eigen::Vector2d& n = nearest.normal_F;
+  const Eigen::Vector2d n_R = R_FR_.transpose() * n;
+  LineResidual result;
+  result.distance = nearest.distance;
+  result.jacobian = {n.x(), n.y(), n.dot(Eigen::Vector2d(-p_RL_F.y(), p_RL_F.x()))};
+  result.tilt_jacobian =
+      stretch * stretch * n.dot(seen_F) / eye_height_ * Eigen::Vector2d(p_R.y(), -p_R.x());
+  result.var = n_R.dot(point.cov_R * n_R);
+  return result;
+}
+
 LineResidual line_residual(const LineMap& map,
                            const Pose<Field, Robot>& X_FR,
                            const LinePoint& point,
                            const Eigen::Vector2d& tilt,
                            double eye_height) {
-  const Eigen::Matrix2d R_FR = X_FR.rotation();
-  const Eigen::Vector2d p_R = point.p_R.vector();
-  const double lift = (tilt.x() * p_R.y() - tilt.y() * p_R.x()) / eye_height;
-  // No ray that met the floor rises to the horizon.
-  const double stretch = 1.0 / (1.0 - std::min(lift, kMostLift));
-  const Eigen::Vector2d seen_F = R_FR * p_R;
-  const Eigen::Vector2d p_RL_F = stretch * seen_F;
-  const NearestLine nearest = map.nearest(X_FR.origin().vector() + p_RL_F);
-  const Eigen::Vector2d& n = nearest.normal_F;
-  const Eigen::Vector2d n_R = R_FR.transpose() * n;
-  LineResidual result;
-  result.distance = nearest.distance;
-  result.jacobian = {n.x(), n.y(), n.dot(Eigen::Vector2d(-p_RL_F.y(), p_RL_F.x()))};
-  result.tilt_jacobian =
-      stretch * stretch * n.dot(seen_F) / eye_height * Eigen::Vector2d(p_R.y(), -p_R.x());
-  result.var = n_R.dot(point.cov_R * n_R);
-  return result;
+  return PostureResiduals(map, X_FR, tilt, eye_height).of(point);
 }
 
 void PostureFitter::look(const LineMap& map,
@@ -118,8 +121,9 @@ void PostureFitter::look(const LineMap& map,
                          std::size_t stride,
                          const PostureFit& fit) {
   residuals_.clear();
+  const PostureResiduals residuals(map, fit.X_FR, fit.tilt, tilt_.eye_height);
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    residuals_.push_back(line_residual(map, fit.X_FR, points[i], fit.tilt, tilt_.eye_height));
+    residuals_.push_back(residuals.of(points[i]));
   }
 }
 
@@ -148,7 +152,7 @@ bool PostureFitter::step(PostureFit& fit, double width) const {
     const double u = r.distance / width_of(r, width, fit.scale);
     const double weight = precision / ((1.0 + u * u) * (1.0 + u * u) * r.var);
     const Row row = row_of(r);
-    info.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+    info.noalias() += weight * row * row.transpose();
     gradient += weight * r.distance * row;
   }
   const Eigen::Vector2d held = tilt_info(tilt_);
@@ -266,17 +270,15 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
     sum_weight += weight;
     Stretch& stretch = stretches_[stretch_of_[i]];
     stretch.weight += weight;
-    stretch.info.selfadjointView<Eigen::Lower>().rankUpdate(row_of(r), weight / r.var);
+    const Row row = row_of(r);
+    stretch.info.noalias() += weight / r.var * row * row.transpose();
     if (is_inlier(r, fit.scale)) ++inliers;
     fit.support += 1.0 / (1.0 + std::pow(r.distance / kVoteWidth, 2));
   }
   fit.inlier_ratio = static_cast<double>(inliers) / count;
   if (sum_slope < 3.5) return;
   Information info = Information::Zero();
-  for (Stretch& stretch : stretches_) {
-    stretch.info.triangularView<Eigen::StrictlyUpper>() = stretch.info.transpose();
-    info += stretch.info;
-  }
+  for (const Stretch& stretch : stretches_) info += stretch.info;
   // Sandwich of the M-estimator over the weighted points (an outlier far out has a long lever, but
   // no weight), with the three degrees of freedom that the fit used up.
   const double slope = sum_slope / sum_weight;

@@ -34,8 +34,32 @@ struct HeadTilt {
   Eigen::Vector2d sigma{Eigen::Vector2d::Zero()};  ///< of the expectation; 0: known; rad
 };
 
-/// The residual of one point under a posture [Lauer05, with exact distances] and a tilt (roll,
-/// pitch; rad).
+/// Residuals of many points under one posture [Lauer05, with exact distances] and a tilt (roll,
+/// pitch; rad): its rotation is worked out once.
+class PostureResiduals {
+ public:
+  /// @param map  outlives this
+  PostureResiduals(const LineMap& map,
+                   const Pose<Field, Robot>& X_FR,
+                   const Eigen::Vector2d& tilt,
+                   double eye_height)
+      : map_(&map),
+        R_FR_(X_FR.rotation()),
+        p_FR_(X_FR.origin().vector()),
+        tilt_(tilt),
+        eye_height_(eye_height) {}
+
+  [[nodiscard]] LineResidual of(const LinePoint& point) const;
+
+ private:
+  const LineMap* map_;
+  Eigen::Matrix2d R_FR_;
+  Eigen::Vector2d p_FR_;
+  Eigen::Vector2d tilt_;
+  double eye_height_;
+};
+
+/// The residual of one point.
 [[nodiscard]] LineResidual line_residual(const LineMap& map,
                                          const Pose<Field, Robot>& X_FR,
                                          const LinePoint& point,

@@ -23,9 +23,11 @@ EightShorts absolute(const EightShorts& lanes) {
   return (lanes ^ sign) - sign;
 }
 
-// Distances from grey, within 4 % of the Euclidean length.
-void measure_lengths(const std::array<Chroma, kTogether>& chromas, std::uint8_t* lengths) {
-  const auto pairs = load_lanes<EightHalves>(chromas.data());
+static_assert(ChromaReader::kSpare >= kTogether);
+
+// Distances from grey of kTogether chromas, within 4 % of the Euclidean length.
+void measure_lengths(const Chroma* chromas, std::uint8_t* lengths) {
+  const auto pairs = load_lanes<EightHalves>(chromas);
   const EightShorts du = absolute(std::bit_cast<EightShorts>(pairs & 0xFFU) - 128);
   const EightShorts dv = absolute(std::bit_cast<EightShorts>(pairs >> 8U) - 128);
   const EightShorts is_u = du > dv;
@@ -52,7 +54,22 @@ struct LineReading {
   std::span<std::uint8_t> chromas;  // longer by kTogether, which are written as well
 };
 
-void classify_line(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
+// In the camera file's light: colours are what they seem.
+void classify_as_read(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
+  const std::size_t n = line.classes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto y = static_cast<std::uint8_t>(line.luminance[i]);
+    const Chroma chroma = line.chroma[i];
+    const ColourClass colour = colours.of(SampledColour{y, chroma.u, chroma.v});
+    line.classes[i] = colour;
+    if (colour == ColourClass::kGreen) meter.add_green(y, chroma);
+  }
+  for (std::size_t i = 0; i < n; i += kTogether) {
+    measure_lengths(line.chroma.data() + i, &line.chromas[i]);
+  }
+}
+
+void classify_restored(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
   const std::size_t n = line.classes.size();
   const float exposure = colours.exposure();
   std::array<Chroma, kTogether> uncast{};
@@ -64,11 +81,19 @@ void classify_line(const ColourClasses& colours, const LineReading& line, Carpet
       const Chroma chroma = without_cast(restored, exposure);
       uncast[i - first] = chroma;
       line.classes[i] = colour;
-      if (colour == ColourClass::kGreen) meter.add_green(line.luminance[i], chroma);
+      if (colour == ColourClass::kGreen) meter.add_green(y, chroma);
     }
-    measure_lengths(uncast, &line.chromas[first]);
+    measure_lengths(uncast.data(), &line.chromas[first]);
   }
-  meter.add_samples(n);
+}
+
+void classify_line(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
+  if (colours.is_adapted()) {
+    classify_restored(colours, line, meter);
+  } else {
+    classify_as_read(colours, line, meter);
+  }
+  meter.add_samples(line.classes.size());
 }
 
 }  // namespace
