@@ -169,9 +169,13 @@ Outcome security(const ScenarioOptions& options) {
   for (const double start_ms : {first_on.start_ms, on.start_ms}) {
     stage.outcome.expect(start_ms >= 0 && start_ms <= 3000.0, "start-up within 3 s");
   }
-  stage.outcome.expect(
-      std::min(first_on.age_ms, on.age_ms) <= std::max(1.5 * off.age_ms, off.age_ms + 0.5),
-      "latency within 1.5 of that without, or half a millisecond");
+  // A ratio of two times around a millisecond needs the whole length: in a few seconds of a machine
+  // that does other things as well it says more about those.
+  if (options.length >= 1.0) {
+    stage.outcome.expect(
+        std::min(first_on.age_ms, on.age_ms) <= std::max(1.5 * off.age_ms, off.age_ms + 0.5),
+        "latency within 1.5 of that without, or half a millisecond");
+  }
   expect_no_stranger(stage, secured);
   expect_no_impostor(stage);
   return stage.outcome;
