@@ -18,7 +18,7 @@ inline constexpr double kFastestRate = 25.0;
 
 /// Share of the computer that drawing may take: agents, fusions, coach station and a page that is
 /// looked at need the rest (`bench/README.md` has what they take).
-inline constexpr double kDrawingShare = 0.4;
+inline constexpr double kDrawingShare = 0.3;
 
 /// How long one frame of the match takes to be drawn here and now: the median of a few moments of
 /// its first seconds.
