@@ -128,6 +128,7 @@ ErrorMatrix TeamErrors::report(RobotId robot,
   ErrorMatrix keep = ErrorMatrix::Zero();
   if (place == kNoPlace) return keep;
   Known& known = known_[static_cast<std::size_t>(place)];
+  if (is_unknown) known = Known{};  // whoever had the place shook in a way of its own
   if (is_unknown || is_new) {
     known.jitter.interrupt();
     known.jitter.take(posture.X_FR, posture.cov, exposure, parameters_);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "fusion/fusion.hpp"
+#include "fusion/team_errors.hpp"
 #include "tests/fusion/scenario.hpp"
 
 namespace teamsight::fusion {
@@ -126,6 +127,26 @@ TEST(PostureJitter, PartsTheVarianceInTwo) {
   EXPECT_GT(jitter.fresh(kSaid)(0, 0), 0.0);
   EXPECT_GT(jitter.lasting(kSaid)(0, 0), 0.0);
   EXPECT_LT((both - kSaid).norm(), 1e-12);
+}
+
+TEST(PostureJitter, OfARobotThatTakesAForgottenOnesPlaceIsNotKnown) {
+  TeamErrors errors;
+  Random random(3);
+  PostureEstimate posture;
+  posture.cov = kSaid;
+  for (int frame = 0; frame < 60; ++frame) {
+    for (int robot = 1; robot <= kMaxErrorRobots; ++robot) {
+      posture.X_FR = {normal(random, kSigmaPlace), normal(random, kSigmaPlace), 0.0};
+      errors.report(static_cast<RobotId>(robot), posture, at_second(kFrame * frame), frame == 0);
+    }
+  }
+  ASSERT_GT(errors.fresh(0, posture)(0, 0), 0.0);
+
+  const auto ninth = static_cast<RobotId>(kMaxErrorRobots + 1);
+  errors.report(ninth, posture, at_second(60.0), true);
+
+  ASSERT_NE(errors.place_of(ninth), kNoPlace);
+  EXPECT_EQ(errors.fresh(errors.place_of(ninth), posture)(0, 0), 0.0);
 }
 
 /// Six robots stand around a ball that rolls in a circle, and see it and each other, each with an
