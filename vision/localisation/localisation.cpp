@@ -71,18 +71,20 @@ void Localiser::predict(const LocalisationState& state, Belief& belief, HostTime
   belief.at = to;
 }
 
+std::optional<double> Localiser::sigma_lean(const LocalisationState& state,
+                                            HostTime exposure) const {
+  const auto acceleration = state.log.acceleration(exposure);
+  if (!acceleration) return std::nullopt;
+  return parameters_.sigma_lean + parameters_.lean_per_acceleration * acceleration->norm();
+}
+
 HeadTilt Localiser::expected_tilt(const LocalisationState& state, HostTime exposure) const {
   HeadTilt tilt = parameters_.tilt;
   if (state.var_tilt.minCoeff() < 0.0) return tilt;
-  const auto acceleration = state.log.acceleration(exposure);
-  if (!acceleration) {
-    tilt.mean = state.tilt;
-    return tilt;
-  }
-  const double lean =
-      parameters_.sigma_lean + parameters_.lean_per_acceleration * acceleration->norm();
   tilt.mean = state.tilt;
-  tilt.sigma = (state.var_tilt.array() + lean * lean).sqrt();
+  if (const auto lean = sigma_lean(state, exposure)) {
+    tilt.sigma = (state.var_tilt.array() + *lean * *lean).sqrt();
+  }
   return tilt;
 }
 
@@ -244,6 +246,7 @@ void Localiser::learn(LocalisationState& state,
   state.correlation += kNewShare * (std::min(fit.correlation, 20.0) - state.correlation);
   const HeadTilt expected = expected_tilt(state, exposure);
   if (state.var_tilt.minCoeff() < 0.0) state.var_tilt = parameters_.tilt.sigma.cwiseAbs2();
+  const auto told = sigma_lean(state, exposure);
   for (int axis = 0; axis < 2; ++axis) {
     const double prior = expected.sigma(axis) * expected.sigma(axis);
     const double gain = 1.0 - fit.var_tilt(axis) / prior;
@@ -252,7 +255,7 @@ void Localiser::learn(LocalisationState& state,
     const double measured = expected.mean(axis) + (fit.tilt(axis) - expected.mean(axis)) / gain;
     const double rest = state.var_tilt(axis) + std::pow(parameters_.sigma_tilt_drift, 2) * passed;
     // One lean lasts for many frames: it counts once for all of them.
-    const double lean = std::max(prior - state.var_tilt(axis), 0.0) *
+    const double lean = std::pow(told.value_or(parameters_.tilt.sigma(axis)), 2) *
                         std::max(1.0, kLeanLasts / std::max(passed, 0.01));
     const double weight = rest / (rest + lean + fit.var_tilt(axis) / gain);
     state.tilt(axis) += weight * (measured - state.tilt(axis));

@@ -192,6 +192,9 @@ class Localiser {
 
  private:
   void predict(const LocalisationState& state, Belief& belief, HostTime to) const;
+  /// Of the lean against the tilt at rest; rad. Nothing if nothing tells the acceleration.
+  [[nodiscard]] std::optional<double> sigma_lean(const LocalisationState& state,
+                                                 HostTime exposure) const;
   [[nodiscard]] HeadTilt expected_tilt(const LocalisationState& state, HostTime exposure) const;
   void take(LocalisationState& state, const FrameEvidence& frame, RememberedFrame& memory);
   void learn(LocalisationState& state, const PostureFit& fit, const RememberedFrame& memory) const;

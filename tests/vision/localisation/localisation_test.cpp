@@ -120,6 +120,21 @@ TEST(Localisation, IsAsUnsureAsASurpriseWasLargeUntilASearchConfirmsIt) {
   EXPECT_LT(std::sqrt(settled.posture.cov(0, 0)), 0.01);
 }
 
+TEST(Localisation, LearnsTheHeadsTiltAtRestFromManyFramesNotFromItsFirstLean) {
+  Ride ride(league_field(), {}, standing(), 16);
+  ride.has_wheels = false;  // nothing tells whether it accelerates
+  ride.view.pitch = 0.01;
+  ride.place_at_truth();
+
+  ride_on(ride, 1);
+  const double after_one_look = ride.state().tilt.y();
+  ride_on(ride, 150);  // five seconds
+  const double after_many = ride.state().tilt.y();
+
+  EXPECT_LT(std::abs(after_one_look), 0.0025);
+  EXPECT_NEAR(after_many, 0.01, 0.002);
+}
+
 TEST(Localisation, CoastsThroughASecondWithoutLines) {
   Ride ride(league_field(), {}, {}, 7);
   ride.place_at_truth();
