@@ -90,43 +90,61 @@ std::optional<SearchRequest> Localiser::wanted_search(LocalisationState& state,
   return request;
 }
 
-Hypothesis Localiser::from_search(LocalisationState& state,
-                                  const PostureFit& place,
-                                  const Belief& then) const {
+Hypothesis Localiser::standing_at(LocalisationState& state,
+                                  const Pose<Field, Robot>& X_FR,
+                                  const Eigen::Matrix3d& cov) const {
   Hypothesis hypothesis;
   hypothesis.id = state.next_id++;
-  hypothesis.X_FR = place.X_FR;
+  hypothesis.X_FR = X_FR;
   const double sigma_v = parameters_.limits.sigma_velocity;
   const double sigma_omega = parameters_.limits.sigma_omega;
-  hypothesis.cov.topLeftCorner<3, 3>() = place.cov;
+  hypothesis.cov.topLeftCorner<3, 3>() = cov;
   hypothesis.cov.diagonal().tail<3>() << sigma_v * sigma_v, sigma_v * sigma_v,
       sigma_omega * sigma_omega;
+  return hypothesis;
+}
+
+void Localiser::join(const LocalisationState& state,
+                     Hypothesis& found,
+                     const Belief& before) const {
   const Point<Field>& centre = map_.field().centre;
-  if (then.count > 0) {
-    const Hypothesis& best = then.places[0];
-    const double blind = std::clamp(to_seconds(then.at - state.last_fix), 0.0, 10.0);
-    const double reach = kNearReach + kFastest * blind;
-    MotionPrior prior;
-    prior.X_FR = best.X_FR;
-    prior.cov = best.cov_pose();
-    prior.cov.diagonal() += Eigen::Vector3d(reach * reach, reach * reach, reach * reach);
-    prior.half_log_odds = best.half_log_odds;
-    hypothesis.half_log_odds =
-        symmetric_ ? half_log_odds_from_prior(place.X_FR, prior, centre) : kMaxHalfLogOdds;
-    double continuity = log_density(place.X_FR, prior);
-    if (symmetric_) {
-      continuity = std::max(continuity, log_density(mirrored(place.X_FR, centre), prior));
-    }
-    hypothesis.log_weight = best.log_weight + std::max(continuity, kMostUnlikely);
+  const Hypothesis& best = before.places[0];
+  const double blind = std::clamp(to_seconds(before.at - state.last_fix), 0.0, 10.0);
+  const double reach = kNearReach + kFastest * blind;
+  MotionPrior expected{.X_FR = best.X_FR, .half_log_odds = best.half_log_odds};
+  expected.cov = best.cov_pose() + found.cov_pose();
+  found.half_log_odds = symmetric_
+                            ? half_log_odds_after_jump(found.X_FR, expected, reach, map_.field())
+                            : kMaxHalfLogOdds;
+  expected.cov += reach * reach * Eigen::Matrix3d::Identity();
+  double continuity = log_density(found.X_FR, expected);
+  if (symmetric_) {
+    continuity = std::max(continuity, log_density(mirrored(found.X_FR, centre), expected));
+  }
+  found.log_weight = best.log_weight + std::max(continuity, kMostUnlikely);
+}
+
+Hypothesis Localiser::from_search(LocalisationState& state,
+                                  const PostureFit& place,
+                                  HostTime exposure,
+                                  const Belief& before) const {
+  Belief one;
+  one.at = exposure;
+  one.add(standing_at(state, place.X_FR, place.cov));
+  predict(state, one, before.at);
+  Hypothesis& found = one.places[0];
+  const Point<Field>& centre = map_.field().centre;
+  if (before.count > 0) {
+    join(state, found, before);
   } else if (symmetric_) {
     const StartSide side = state.has_started ? StartSide::kUnknown : parameters_.start_side;
-    hypothesis.half_log_odds =
+    found.half_log_odds =
         half_log_odds_from_side(place.X_FR, std::sqrt(place.cov(0, 0)), side, centre);
   } else {
-    hypothesis.half_log_odds = kMaxHalfLogOdds;
+    found.half_log_odds = kMaxHalfLogOdds;
   }
-  if (hypothesis.half_log_odds < 0.0) turn_round(hypothesis, centre);
-  return hypothesis;
+  if (found.half_log_odds < 0.0) turn_round(found, centre);
+  return found;
 }
 
 bool Localiser::take_place(LocalisationState& state,
@@ -134,11 +152,7 @@ bool Localiser::take_place(LocalisationState& state,
                            const SearchAnswer& answer,
                            const Belief& before) const {
   const Point<Field>& centre = map_.field().centre;
-  Belief one;
-  one.at = answer.exposure;
-  one.add(from_search(state, place, before));
-  predict(state, one, before.at);
-  Hypothesis& found = one.places[0];
+  Hypothesis found = from_search(state, place, answer.exposure, before);
   const auto known = std::ranges::find_if(state.belief.all(), [&](const Hypothesis& other) {
     return is_near(found.X_FR, other.X_FR) ||
            (symmetric_ && is_near(mirrored(found.X_FR, centre), other.X_FR));
@@ -257,14 +271,7 @@ void Localiser::place(LocalisationState& state,
     ++state.counts.inputs_not_finite;
     return;
   }
-  Hypothesis hypothesis;
-  hypothesis.id = state.next_id++;
-  hypothesis.X_FR = X_FR;
-  const double sigma_v = parameters_.limits.sigma_velocity;
-  const double sigma_omega = parameters_.limits.sigma_omega;
-  hypothesis.cov.topLeftCorner<3, 3>() = cov;
-  hypothesis.cov.diagonal().tail<3>() << sigma_v * sigma_v, sigma_v * sigma_v,
-      sigma_omega * sigma_omega;
+  Hypothesis hypothesis = standing_at(state, X_FR, cov);
   // Whoever says where the robot stands also says on which half.
   hypothesis.half_log_odds = kMaxHalfLogOdds;
   state.belief.count = 0;

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
+
 #include "geometry/angle.hpp"
+#include "geometry/expect.hpp"
+#include "geometry/uncertainty.hpp"
 
 namespace teamsight::vision {
 
@@ -51,6 +55,16 @@ GoalColour colour_of(ColourClass colour) {
   }
 }
 
+// Normal density of a posture; 1/(m^2 rad).
+double density(const Pose<Field, Robot>& X_FR,
+               const Pose<Field, Robot>& mean,
+               const Eigen::Matrix3d& cov) {
+  Eigen::Vector3d gap = X_FR.vector() - mean.vector();
+  gap.z() = wrap_angle(gap.z());
+  const double volume = std::sqrt(std::pow(2.0 * std::numbers::pi, 3) * cov.determinant());
+  return std::exp(-0.5 * squared_mahalanobis(gap, cov)) / volume;
+}
+
 }  // namespace
 
 GoalBearing bearing_of(const SeenGoal& goal) {
@@ -77,6 +91,29 @@ double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
             log_likelihood(gap_to_goal(image, field, goal), goal.sigma, kGoalIsOther);
   }
   return odds;
+}
+
+double half_log_odds_after_jump(const Pose<Field, Robot>& X_FR,
+                                const MotionPrior& expected,
+                                double reach,
+                                const FieldModel& field) {
+  TEAMSIGHT_EXPECT(expected.X_FR && reach > 0.0);
+  const double sigma_pushed = reach / 3.0;  // as far as it can have come is three sigma
+  const Eigen::Matrix3d cov_pushed =
+      expected.cov + sigma_pushed * sigma_pushed * Eigen::Matrix3d::Identity();
+  const auto near = [&](const Pose<Field, Robot>& place) {
+    return density(place, *expected.X_FR, expected.cov) +
+           density(place, *expected.X_FR, cov_pushed);
+  };
+  const double carpet =
+      (field.length + 2.0 * field.surround) * (field.width + 2.0 * field.surround);
+  const double carried = 1.0 / (carpet * 2.0 * std::numbers::pi);
+  const double here = near(X_FR);
+  const double there = near(mirrored(X_FR, field.centre));
+  const double p = 1.0 / (1.0 + std::exp(-expected.half_log_odds));
+  const double odds = std::log(p * here + (1.0 - p) * there + carried) -
+                      std::log(p * there + (1.0 - p) * here + carried);
+  return std::clamp(odds, -kMaxHalfLogOdds, kMaxHalfLogOdds);
 }
 
 }  // namespace teamsight::vision

@@ -10,6 +10,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/time.hpp"
 #include "vision/goal_detector.hpp"
+#include "vision/posture.hpp"
 
 namespace teamsight::vision {
 
@@ -41,5 +42,20 @@ struct GoalBearing {
 [[nodiscard]] double half_log_odds_from_goals(const Pose<Field, Robot>& X_FR,
                                               const FieldModel& field,
                                               std::span<const GoalBearing> goals);
+
+/// The same for a robot that was not where it was expected, so that only a search of the whole
+/// field found it at `X_FR`: it went on as expected, or something pushed it, or it was carried to
+/// anywhere on the carpet. Nothing tells beforehand which of the three, so they count alike, each
+/// by its density there. What was carried may stand on either half: near 0 where only that
+/// explains the place.
+///
+/// @pre expected.X_FR is there
+/// @param expected  where it would be if it had gone on as expected; its covariance holds the
+///                  uncertainty of `X_FR` as well
+/// @param reach     how far a push can have moved and turned it; m and rad, over 0
+[[nodiscard]] double half_log_odds_after_jump(const Pose<Field, Robot>& X_FR,
+                                              const MotionPrior& expected,
+                                              double reach,
+                                              const FieldModel& field);
 
 }  // namespace teamsight::vision

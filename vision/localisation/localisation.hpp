@@ -215,9 +215,17 @@ class Localiser {
   [[nodiscard]] bool supports(const LocalisationState& state,
                               const PostureFit& fit,
                               std::size_t points) const;
+  /// A hypothesis whose velocity is not known; weight and half are left open.
+  [[nodiscard]] Hypothesis standing_at(LocalisationState& state,
+                                       const Pose<Field, Robot>& X_FR,
+                                       const Eigen::Matrix3d& cov) const;
+  /// Weight and half of a place that a search found, by what was believed at that moment.
+  void join(const LocalisationState& state, Hypothesis& found, const Belief& before) const;
+  /// @param exposure  of the search's frame; the hypothesis is one at `before.at`
   [[nodiscard]] Hypothesis from_search(LocalisationState& state,
                                        const PostureFit& place,
-                                       const Belief& then) const;
+                                       HostTime exposure,
+                                       const Belief& before) const;
   /// Makes a place that a search found a hypothesis. @return true if it was the best one already
   bool take_place(LocalisationState& state,
                   const PostureFit& place,

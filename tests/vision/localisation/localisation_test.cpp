@@ -87,6 +87,31 @@ TEST(Localisation, NoticesThatItWasCarriedAwayAndFindsItselfAgain) {
   EXPECT_LT(ride.miss(located, true), 0.05);
 }
 
+TEST(Localisation, IsNotSureOfItsHalfWhereItWasCarriedBesideItsMirrorImage) {
+  Ride ride(league_field(), {}, standing(), 18);
+  ride.drive().kidnap({5.2, 3.9, 1.3});
+  ride.place_at_truth();
+  ride_on(ride, 30);
+  // The mirror image of a place that is 1.1 m from the old one: too far to be pushed in a frame.
+  ride.drive().kidnap(mirrored(Pose<Field, Robot>(5.3, 2.8, 2.0)));
+
+  int sure_but_wrong = 0;
+  Located located;
+  for (int i = 0; i < 60; ++i) {
+    located = ride.frame();
+    const bool is_wrong = ride.miss(located, false) > 0.5;
+    if (is_wrong && located.posture.status == PostureStatus::kOk) ++sure_but_wrong;
+  }
+  ride.localiser().point(ride.state(), {ride.drive().now(), ride.truth().theta(), 0.3});
+  const Located told = ride_on(ride, 8);
+
+  EXPECT_LE(sure_but_wrong, 9);  // 0.3 s
+  EXPECT_LT(ride.miss(located, true), 0.05);
+  EXPECT_EQ(located.posture.status, PostureStatus::kAmbiguous);
+  EXPECT_EQ(told.posture.status, PostureStatus::kOk);
+  EXPECT_LT(ride.miss(told, false), 0.05);
+}
+
 TEST(Localisation, NoticesSlippingWheels) {
   locate_score::DriveParameters drive;
   drive.slips_per_second = 0.5;
