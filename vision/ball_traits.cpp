@@ -87,7 +87,7 @@ Ring ring_around(const BlobEllipse& ellipse, const BallTraitSource& source) {
   return ring;
 }
 
-// From the blob's middle outwards to the end of the carpet's hull; px.
+// From the blob's middle outwards to the end of the carpet's hull; px of scale 1.
 double inside_carpet(const BlobEllipse& ellipse, const BallTraitSource& source) {
   const ScanLines& lines = source.frame.lines;
   const auto radial = lines.radial();
@@ -104,7 +104,7 @@ double inside_carpet(const BlobEllipse& ellipse, const BallTraitSource& source) 
                         std::hypot(static_cast<double>(last.u) - source.centre.u,
                                    static_cast<double>(last.v) - source.centre.v));
   }
-  return farthest - std::hypot(u, v);
+  return (farthest - std::hypot(u, v)) / static_cast<double>(lines.scale());
 }
 
 // Logarithm of the blob's radius over that of a ball on the floor there.

@@ -26,26 +26,63 @@ constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
 constexpr double kPaintSigma = 0.008;
 
 using Profile = std::span<const float>;
-using Line = std::span<const ScanSample>;
 using Taps = std::span<const SampleTap>;
 
-/// A bright bump; places are in samples from the line's start.
+/// Where on the floor and in the picture the places of a profile are, counted in taps.
+class Line {
+ public:
+  explicit Line(const ScanProfile& scan)
+      : samples_(scan.samples),
+        step_(1.0F / static_cast<float>(scan.pitch)) {}
+
+  /// The sample at or before a place that is not behind the last one.
+  [[nodiscard]] const ScanSample& before(float place) const { return samples_[index(place)]; }
+
+  /// Floor point, m; beyond the line's ends theirs.
+  [[nodiscard]] Eigen::Vector2d floor_at(float place) const {
+    const auto last = static_cast<float>(samples_.size() - 1) / step_;
+    const Eigen::Vector2f floor =
+        between(std::clamp(place, 0.0F, last), &ScanSample::x, &ScanSample::y);
+    return floor.cast<double>();
+  }
+
+  /// Place in the picture, px.
+  [[nodiscard]] Eigen::Vector2d pixel_at(float place) const {
+    return between(place, &ScanSample::u, &ScanSample::v).cast<double>();
+  }
+
+  /// Whether two places lie more than `way` metres apart on the floor.
+  [[nodiscard]] bool are_apart(std::size_t a, std::size_t b, float way) const {
+    const Eigen::Vector2d gap = floor_at(static_cast<float>(b)) - floor_at(static_cast<float>(a));
+    return gap.squaredNorm() > static_cast<double>(way * way);
+  }
+
+ private:
+  [[nodiscard]] std::size_t index(float place) const {
+    return std::min(static_cast<std::size_t>(place * step_), samples_.size() - 2);
+  }
+
+  [[nodiscard]] Eigen::Vector2f between(float place,
+                                        float ScanSample::*x,
+                                        float ScanSample::*y) const {
+    const std::size_t i = index(place);
+    const float t = place * step_ - static_cast<float>(i);
+    const ScanSample& a = samples_[i];
+    const ScanSample& b = samples_[i + 1];
+    return {a.*x + t * (b.*x - a.*x), a.*y + t * (b.*y - a.*y)};
+  }
+
+  std::span<const ScanSample> samples_;
+  float step_;  // samples per tap
+};
+
+/// A bright bump; places are in taps from the line's start.
 struct Bump {
   float rise{0.0F};  // edge at half height
   float fall{0.0F};
   float contrast{0.0F};
   std::size_t end{0};  // first sample after the falling edge
 };
-
-// Floor point between two samples; `place` within the line.
-Eigen::Vector2d floor_at(Line line, float place) {
-  const auto last = static_cast<float>(line.size() - 1);
-  const float clamped = std::clamp(place, 0.0F, last);
-  const auto i = std::min(static_cast<std::size_t>(clamped), line.size() - 2);
-  const float t = clamped - static_cast<float>(i);
-  return {static_cast<double>(line[i].x + t * (line[i + 1].x - line[i].x)),
-          static_cast<double>(line[i].y + t * (line[i + 1].y - line[i].y))};
-}
 
 float lowest(Profile profile, std::size_t first, std::size_t last) {
   return *std::min_element(profile.begin() + static_cast<std::ptrdiff_t>(first),
@@ -72,16 +109,9 @@ struct Summit {
   std::size_t foot{0};  // first sample that is down again
 };
 
-// Whether two samples of a line lie more than `way` metres apart on the floor.
-bool are_apart(const ScanSample& a, const ScanSample& b, float way) {
-  const float x = b.x - a.x;
-  const float y = b.y - a.y;
-  return x * x + y * y > way * way;
-}
-
 // The highest sample behind the rising edge at `i`; nothing if the profile does not come down to
 // half height again within `widest` metres of floor, or does not rise by the contrast.
-std::optional<Summit> summit_behind(Line line,
+std::optional<Summit> summit_behind(const Line& line,
                                     Profile profile,
                                     std::size_t i,
                                     const BumpRules& rules) {
@@ -100,14 +130,17 @@ std::optional<Summit> summit_behind(Line line,
     }
     // A line leads away from where it was: asked now and then, and at the end.
     const std::size_t last = j - 1;
-    if (last > i + kNarrow && are_apart(line[i], line[last], rules.widest)) return std::nullopt;
+    if (last > i + kNarrow && line.are_apart(i, last, rules.widest)) return std::nullopt;
   }
   const bool is_whole = j < n && summit.top != i && peak - summit.base >= rules.contrast;
   return is_whole ? std::optional(summit) : std::nullopt;
 }
 
 // The bump whose rising edge is steepest at sample `i`.
-std::optional<Bump> bump_at(Line line, Profile profile, std::size_t i, const BumpRules& rules) {
+std::optional<Bump> bump_at(const Line& line,
+                            Profile profile,
+                            std::size_t i,
+                            const BumpRules& rules) {
   const auto summit = summit_behind(line, profile, i, rules);
   if (!summit) return std::nullopt;
   const std::size_t n = profile.size();
@@ -176,26 +209,26 @@ Eigen::Matrix2d spread(const ScanSample& sample, const Eigen::Vector2d& p_R, dou
          tangential * tangential * across * across.transpose();
 }
 
-std::optional<LinePoint> point_of(Line line, const Bump& bump, const LineRules& rules) {
+std::optional<LinePoint> point_of(const Line& line, const Bump& bump, const LineRules& rules) {
   const float middle = 0.5F * (bump.rise + bump.fall);
   const float seen = bump.fall - bump.rise;
   const float half = 0.5F * std::sqrt(std::max(0.0F, seen * seen - kBlur * kBlur));
-  const Eigen::Vector2d inner = floor_at(line, middle - half);
-  const Eigen::Vector2d outer = floor_at(line, middle + half);
+  const Eigen::Vector2d inner = line.floor_at(middle - half);
+  const Eigen::Vector2d outer = line.floor_at(middle + half);
   const double width = (outer - inner).norm();
-  const double pixel = (floor_at(line, middle + 0.5F) - floor_at(line, middle - 0.5F)).norm();
+  const double pixel = (line.floor_at(middle + 0.5F) - line.floor_at(middle - 0.5F)).norm();
   if (width > kWidest * rules.line_width + pixel) return std::nullopt;
   if (width < kNarrowest * rules.line_width - pixel) return std::nullopt;
-  const auto i = std::min(static_cast<std::size_t>(middle), line.size() - 2);
-  const float t = middle - static_cast<float>(i);
+  const Eigen::Vector2d pixel_uv = line.pixel_at(middle);
   LinePoint point;
-  point.u_px = static_cast<double>(line[i].u + t * (line[i + 1].u - line[i].u));
-  point.v_px = static_cast<double>(line[i].v + t * (line[i + 1].v - line[i].v));
+  point.u_px = pixel_uv.x();
+  point.v_px = pixel_uv.y();
   // The middle of the paint on the floor, not in the picture, which is squeezed outwards.
   point.p_R = Point<Robot>::from(0.5 * (inner + outer));
   // Two edges of a blurred step in noise: sigma_I / C * sqrt(2 sqrt(pi) blur) / sqrt(2).
   const double noise = 1.3 * kGreySigma / static_cast<double>(bump.contrast);
-  point.cov_R = spread(line[i], point.p_R.vector(), std::hypot(noise, kCalibrationSigma));
+  point.cov_R =
+      spread(line.before(middle), point.p_R.vector(), std::hypot(noise, kCalibrationSigma));
   point.cov_R.diagonal().array() += kPaintSigma * kPaintSigma;
   return point;
 }
@@ -230,15 +263,16 @@ void find_line_points(const PixelReader& pixels,
                       std::vector<LinePoint>& points) {
   const BumpRules bumps{static_cast<float>(2.0 * kWidest * rules.line_width),
                         static_cast<float>(rules.min_contrast)};
+  const Line line(scan);
   const Profile y = scan.luminance;
   const float steep = kSteepness * bumps.contrast;
   for (std::size_t i = next_rise(y, 1, steep); i + 2 < y.size() && points.size() < kMaxLinePoints;
        i = next_rise(y, i + 1, steep)) {
-    const auto bump = bump_at(scan.samples, y, i, bumps);
+    const auto bump = bump_at(line, y, i, bumps);
     if (!bump) continue;
     i = std::max(i, bump->end);
     if (!has_carpet_beside(pixels, colours, scan.taps, *bump)) continue;
-    if (const auto point = point_of(scan.samples, *bump, rules)) points.push_back(*point);
+    if (const auto point = point_of(line, *bump, rules)) points.push_back(*point);
   }
 }
 

@@ -30,14 +30,15 @@ struct LineRules {
 
 inline constexpr std::size_t kMaxLinePoints = 800;
 
-/// One scan line with what was read along it.
+/// A piece of a scan line with what was read along it.
 struct ScanProfile {
   std::span<const ScanSample> samples;
-  std::span<const SampleTap> taps;   ///< of each sample
-  std::span<const float> luminance;  ///< of each sample, from read_luminance
+  std::span<const SampleTap> taps;   ///< about a pixel apart, the first at the first sample
+  std::span<const float> luminance;  ///< at each tap, from read_luminance
+  std::size_t pitch{1};              ///< taps from one sample to the next
 };
 
-/// Appends the line points of one scan line.
+/// Appends the line points of a piece of a scan line.
 ///
 /// A line is a bright bump whose two edges, at half height, are as far apart on the floor as the
 /// paint is wide (crossed at up to 50 degrees), with carpet on both sides.

@@ -21,7 +21,7 @@ constexpr std::size_t kMostInRun = 40;   // samples; near the robot a decimetre 
 constexpr double kFilled = 0.65;         // of a run
 constexpr std::size_t kContact = 8;      // samples of blur between carpet and what stands on it
 constexpr std::size_t kReach = 16;       // samples behind the carpet's end
-constexpr double kWellInside = 20.0;     // px
+constexpr double kWellInside = 20.0;     // samples
 constexpr std::size_t kMostVeiled = 24;  // samples of a base that looks like dark carpet
 constexpr float kFewestCarpet = 8.0F;    // samples that tell how bright the carpet is there
 constexpr float kVeiled = 0.75F;         // of the carpet's luminance
@@ -29,7 +29,7 @@ constexpr double kNarrowest = 0.07;      // m
 constexpr double kLegWidth = 0.24;       // m; narrower things are legs
 constexpr double kLegConfidence = 0.4;   // of what is narrow and well inside the carpet
 constexpr double kStride = 0.6;          // m between the legs of one person
-constexpr double kFootSigma = 1.5;       // px, of the foot
+constexpr double kFootSigma = 1.5;       // samples, of the foot
 constexpr std::size_t kAboveFoot = 60;   // samples that may show a shirt
 constexpr std::size_t kFewestRays = 3;
 
@@ -114,9 +114,11 @@ Foot ObstacleDetector::foot_of(const RadialScan& scan,
   const auto line = lines.samples(range);
   const std::size_t carpet_end = scan.carpet_end(index);
   const auto surfaces = scan.surfaces(range);
+  const auto step = static_cast<double>(range.pitch);
   const auto place = [&](std::size_t i) {
-    return static_cast<float>(std::hypot(static_cast<double>(line[i].u) - centre_.u,
-                                         static_cast<double>(line[i].v) - centre_.v));
+    const double radius = std::hypot(static_cast<double>(line[i].u) - centre_.u,
+                                     static_cast<double>(line[i].v) - centre_.v);
+    return static_cast<float>(radius / step);
   };
   Foot foot;
   std::size_t last_floor = 0;  // the line begins on the own body's edge
@@ -133,7 +135,7 @@ Foot ObstacleDetector::foot_of(const RadialScan& scan,
     break;
   }
   foot.distance = distance_of(line[end]);
-  foot.depth = static_cast<double>(line[end].radial_footprint);
+  foot.depth = step * static_cast<double>(line[end].radial_footprint);
   foot.u = line[end].u;
   foot.v = line[end].v;
   foot.radius = place(end);

@@ -13,13 +13,13 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr float kJump = 6.0F;        // px between neighbours that still belong together
+constexpr float kJump = 6.0F;        // samples between neighbours that still belong together
 constexpr std::size_t kSkip = 3;     // lines from one to the next of a group
 constexpr std::size_t kBeside = 10;  // lines beside a group that are asked where carpet ends
-constexpr double kHidden = 1e4;      // px; nothing is known of that side
-constexpr float kFlat = 4.0F;        // px
+constexpr double kHidden = 1e4;      // samples; nothing is known of that side
+constexpr float kFlat = 4.0F;        // samples
 constexpr double kGap = 0.16;        // rad; a strut hides less
-constexpr double kValley = 4.0;      // px; two robots beside each other are that far apart
+constexpr double kValley = 4.0;      // samples; two robots beside each other are that far apart
 constexpr double kWide = 2.2;        // robot radii; a robot's foot is no wider
 constexpr double kPair = 3.4;        // robot radii; that wide are two robots
 constexpr std::size_t kFewestRays = 3;

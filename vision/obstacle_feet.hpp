@@ -11,11 +11,12 @@
 
 namespace teamsight::vision {
 
-/// What one radial line runs into; places are pixels from the image centre.
+/// What one radial line runs into; places are counted in its samples' lengths from the image
+/// centre.
 struct Foot {
   double azimuth{0.0};   ///< in R; rad
   double distance{0.0};  ///< of the foot, m
-  double depth{0.0};     ///< metres of floor per pixel there
+  double depth{0.0};     ///< metres of floor per sample there
   float u{0.0F};         ///< px
   float v{0.0F};
   float radius{0.0F};       ///< of the foot

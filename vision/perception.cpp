@@ -9,6 +9,7 @@
 #include "vision/colour_classes.hpp"
 #include "vision/field_colours.hpp"
 #include "vision/light.hpp"
+#include "vision/line_finder.hpp"
 #include "vision/pixel_reader.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/ray_table.hpp"
@@ -60,10 +61,10 @@ struct Perception::Tables {
         model(parameters),
         rays(model, parameters.width_px, parameters.height_px),
         colours(parameters.colours),
-        lines(parameters, model, rays),
+        lines(parameters, model, rays, field.line_width),
         scan(lines, parameters.scan.chroma_window),
         hull(lines),
-        rules{field.line_width, parameters.scan.min_contrast},
+        finder(lines.longest_px(), {field.line_width, parameters.scan.min_contrast}),
         balls(rays,
               parameters.mask,
               model.centre(),
@@ -92,7 +93,7 @@ struct Perception::Tables {
   ScanLines lines;
   RadialScan scan;
   CarpetHull hull;
-  LineRules rules;
+  LineFinder finder;
   BallDetector balls;
   ObstacleDetector obstacles;
   HeadTilt head;
@@ -114,14 +115,15 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
   for (const ScanRange& range : lines.radial()) {
     const auto luminance = scan.luminance(range);
     meter.add(luminance);
-    find_line_points(
-        pixels, colours, {lines.samples(range), lines.taps(range), luminance}, rules, points);
+    finder.find({pixels, colours},
+                {lines.samples(range), lines.taps(range), luminance, range.pitch},
+                points);
   }
   for (const ScanRange& range : lines.circular()) {
     const auto taps = lines.taps(range);
     profile.resize(taps.size());
     read_luminance(pixels, taps, profile);
-    find_line_points(pixels, colours, {lines.samples(range), taps, profile}, rules, points);
+    finder.find({pixels, colours}, {lines.samples(range), taps, profile, range.pitch}, points);
   }
   observation.light = meter.light();
   // Well lit, but not a field.

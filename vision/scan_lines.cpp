@@ -14,8 +14,12 @@ namespace teamsight::vision {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr int kCircleSpacing = 6;            // px between circles
-constexpr int kFirstCircle = 8;              // px; nearer to the centre there is only own body
+constexpr double kNominalHeight = 480.0;     // px, of a picture of scale 1
+constexpr int kCircleSpacing = 6;            // px of scale 1 between circles
+constexpr int kFirstCircle = 8;              // px of scale 1; nearer there is only own body
+constexpr int kDirections = 64;              // in which a circle's paint is measured
+constexpr double kPitchOfPaint = 0.5;        // of its width: one sample is all on it
+constexpr double kLongestPitch = 8.0;        // px
 constexpr double kSubpixels = 256.0;         // of a tap
 constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
 constexpr std::size_t kShortest = 8;         // samples; no line fits into less
@@ -72,6 +76,23 @@ class Sampler {
   const RayTable& rays_;
 };
 
+std::size_t scale_of(const RayTable& rays) {
+  const double shorter = std::min(rays.width(), rays.height());
+  return static_cast<std::size_t>(std::max(1.0, std::round(shorter / kNominalHeight)));
+}
+
+// How long a step along a circle may be.
+std::size_t pitch_of(const Sampler& sampler, int radius, double line_width) {
+  double pitch = kLongestPitch;
+  for (int i = 0; i < kDirections; ++i) {
+    const auto step = sampler.at(radius, kTurn * i / kDirections);
+    if (!step) continue;
+    const auto pixel = static_cast<double>(step->sample.tangential_footprint);
+    pitch = std::min(pitch, kPitchOfPaint * line_width / pixel);
+  }
+  return static_cast<std::size_t>(std::max(1.0, pitch));
+}
+
 }  // namespace
 
 bool is_masked(const Mask& mask, double image_direction) {
@@ -86,22 +107,26 @@ bool is_masked(const Mask& mask, double image_direction) {
 
 ScanLines::ScanLines(const CameraParameters& parameters,
                      const CameraModel& model,
-                     const RayTable& rays) {
+                     const RayTable& rays,
+                     double line_width)
+    : scale_(scale_of(rays)) {
+  const auto scale = static_cast<int>(scale_);
   const Sampler sampler(parameters, model, rays);
   const auto reach = static_cast<int>(std::hypot(rays.width(), rays.height()));
   for (std::uint16_t i = 0; i < parameters.scan.rays; ++i) {
     const double direction = kTurn * i / parameters.scan.rays;
     const std::size_t first = samples_.size();
-    for (int radius = 1; radius < reach; ++radius) {
+    for (int radius = scale; radius < reach; radius += scale) {
       const auto step = sampler.at(radius, direction);
       if (!step && samples_.size() > first) break;
       if (step) add(*step);
     }
-    close(radial_, {first, 0, direction});
+    close(radial_, {first, 0, direction, scale_});
   }
-  for (int radius = kFirstCircle; radius < reach; radius += kCircleSpacing) {
-    const auto steps = static_cast<int>(std::ceil(kTurn * radius));
-    add_circle(steps, [&](int step) { return sampler.at(radius, kTurn * step / steps); });
+  for (int radius = scale * kFirstCircle; radius < reach; radius += scale * kCircleSpacing) {
+    const std::size_t pitch = pitch_of(sampler, radius, line_width);
+    const auto steps = static_cast<int>(std::ceil(kTurn * radius / static_cast<double>(pitch)));
+    add_circle(steps, pitch, [&](int step) { return sampler.at(radius, kTurn * step / steps); });
   }
 }
 
@@ -110,13 +135,15 @@ void ScanLines::add(const ScanStep& step) {
   samples_.push_back(step.sample);
 }
 
-void ScanLines::add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at) {
+void ScanLines::add_circle(int steps,
+                           std::size_t pitch,
+                           const std::function<std::optional<ScanStep>(int)>& step_at) {
   std::size_t first = samples_.size();
   for (int step = 0; step < steps; ++step) {
     const auto seen = step_at(step);
     if (seen) add(*seen);
     if (seen && step + 1 < steps) continue;
-    close(circular_, {first, 0, 0.0});
+    close(circular_, {first, 0, 0.0, pitch});
     first = samples_.size();
   }
 }
@@ -129,6 +156,7 @@ void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
     return;
   }
   longest_ = std::max(longest_, range.count);
+  longest_px_ = std::max(longest_px_, range.count * range.pitch);
   ranges.push_back(range);
 }
 

@@ -27,7 +27,7 @@ struct SampleTap {
   }
 };
 
-/// One step of a scan line, about one pixel from the last.
+/// One step of a scan line, `ScanRange::pitch` pixels from the last.
 struct ScanSample {
   float u{0.0F};  ///< px
   float v{0.0F};  ///< px
@@ -48,14 +48,26 @@ struct ScanRange {
   std::size_t first{0};
   std::size_t count{0};
   double image_direction{0.0};  ///< of a radial line, counter-clockwise from image right; rad
+  std::size_t pitch{1};         ///< px from one sample to the next
 };
 
 /// Radial lines, which find paint that runs around the robot, and circles, which find paint that
 /// runs away from it. Only where the camera sees floor no farther than the pattern's reach and the
 /// mask lets it.
+///
+/// Along radial lines a step is a pixel of a picture that is 480 pixels high, whatever this one's
+/// height. Along circles it is as long as paint of the given width lets it be without being missed.
 class ScanLines {
  public:
-  ScanLines(const CameraParameters& parameters, const CameraModel& model, const RayTable& rays);
+  /// @param line_width  of the paint; m
+  ScanLines(const CameraParameters& parameters,
+            const CameraModel& model,
+            const RayTable& rays,
+            double line_width = 0.125);
+
+  /// Pixels to one of a picture that is 480 pixels high: what lengths in pixels that mean parts of
+  /// the picture are multiplied by.
+  [[nodiscard]] std::size_t scale() const { return scale_; }
 
   /// From the centre outwards, by growing image direction.
   [[nodiscard]] std::span<const ScanRange> radial() const { return radial_; }
@@ -75,18 +87,25 @@ class ScanLines {
   /// Samples of the longest line.
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
+  /// The length of the longest line; px.
+  [[nodiscard]] std::size_t longest_px() const { return longest_px_; }
+
  private:
   /// Appends the arcs of one circle; `step_at` gives nothing where the view is masked.
-  void add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at);
+  void add_circle(int steps,
+                  std::size_t pitch,
+                  const std::function<std::optional<ScanStep>(int)>& step_at);
   void add(const ScanStep& step);
   /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
   void close(std::vector<ScanRange>& ranges, ScanRange range);
 
+  std::size_t scale_;
   std::vector<SampleTap> taps_;
   std::vector<ScanSample> samples_;  // of each tap
   std::vector<ScanRange> radial_;
   std::vector<ScanRange> circular_;
   std::size_t longest_{0};
+  std::size_t longest_px_{0};
 };
 
 /// Whether the mask hides this image direction.
