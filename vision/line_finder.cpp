@@ -2,7 +2,6 @@
 #include "vision/line_finder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "vision/line_reader.hpp"
 
@@ -10,7 +9,6 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kWidest = 1.6;       // of the paint's width: crossed at 50 degrees
 constexpr double kRise = 0.55;        // of the contrast: so much of an edge one sample shows
 constexpr std::size_t kMargin = 8;    // px beside an edge, in which floor and carpet are looked for
 constexpr std::size_t kAcross = 2;    // samples over which an edge is seen
@@ -38,7 +36,7 @@ SampleTap tap_between(const ScanSample& a, const ScanSample& b, float t, std::si
 LineFinder::LineFinder(std::size_t longest, const LineRules& rules)
     : rules_(rules),
       rise_(static_cast<float>(kRise * rules.min_contrast)),
-      widest_(static_cast<float>(kWidest * rules.line_width)) {
+      widest_(static_cast<float>(kWidestCrossing * rules.line_width)) {
   taps_.reserve(longest);
   luminance_.reserve(longest);
 }
@@ -48,7 +46,9 @@ LineFinder::Stretch LineFinder::stretch_at(const SampledLine& line, std::size_t 
   const std::size_t margin = (kMargin + line.pitch - 1) / line.pitch;
   const ScanSample& start = line.samples[rise];
   const auto is_on_paint = [&](const ScanSample& sample) {
-    return std::hypot(sample.x - start.x, sample.y - start.y) < widest_;
+    const float x = sample.x - start.x;
+    const float y = sample.y - start.y;
+    return x * x + y * y < widest_ * widest_;
   };
   std::size_t end = rise + 1;
   while (end < line.samples.size() && is_on_paint(line.samples[end])) ++end;

@@ -17,7 +17,6 @@ constexpr float kSteepness = 0.3F;   // of the contrast, that an edge must rise 
 constexpr int kBase = 4;             // samples in which the floor beside an edge is looked for
 constexpr std::size_t kNarrow = 4;   // samples; no wider a bump may be as wide as it likes
 constexpr std::size_t kAsk = 8;      // samples after which a bump's width is looked at
-constexpr double kWidest = 1.6;      // of the paint's width: crossed at 50 degrees
 constexpr double kNarrowest = 0.45;  // of the paint's width
 constexpr double kCalibrationSigma = 0.25;  // px; what the camera model may be wrong by
 constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
@@ -217,7 +216,7 @@ std::optional<LinePoint> point_of(const Line& line, const Bump& bump, const Line
   const Eigen::Vector2d outer = line.floor_at(middle + half);
   const double width = (outer - inner).norm();
   const double pixel = (line.floor_at(middle + 0.5F) - line.floor_at(middle - 0.5F)).norm();
-  if (width > kWidest * rules.line_width + pixel) return std::nullopt;
+  if (width > kWidestCrossing * rules.line_width + pixel) return std::nullopt;
   if (width < kNarrowest * rules.line_width - pixel) return std::nullopt;
   const Eigen::Vector2d pixel_uv = line.pixel_at(middle);
   LinePoint point;
@@ -261,7 +260,7 @@ void find_line_points(const PixelReader& pixels,
                       const ScanProfile& scan,
                       const LineRules& rules,
                       std::vector<LinePoint>& points) {
-  const BumpRules bumps{static_cast<float>(2.0 * kWidest * rules.line_width),
+  const BumpRules bumps{static_cast<float>(2.0 * kWidestCrossing * rules.line_width),
                         static_cast<float>(rules.min_contrast)};
   const Line line(scan);
   const Profile y = scan.luminance;

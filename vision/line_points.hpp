@@ -30,6 +30,9 @@ struct LineRules {
 
 inline constexpr std::size_t kMaxLinePoints = 800;
 
+/// Of the paint's width, how wide a scan line may cross it: at a slant of 50 degrees.
+inline constexpr double kWidestCrossing = 1.6;
+
 /// A piece of a scan line with what was read along it.
 struct ScanProfile {
   std::span<const ScanSample> samples;

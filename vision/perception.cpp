@@ -61,7 +61,7 @@ struct Perception::Tables {
         model(parameters),
         rays(model, parameters.width_px, parameters.height_px),
         colours(parameters.colours),
-        lines(parameters, model, rays, field.line_width),
+        lines(parameters, model, rays),
         scan(lines, parameters.scan.chroma_window),
         hull(lines),
         finder(lines.longest_px(), {field.line_width, parameters.scan.min_contrast}),

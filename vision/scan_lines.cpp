@@ -17,9 +17,6 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kNominalHeight = 480.0;     // px, of a picture of scale 1
 constexpr int kCircleSpacing = 6;            // px of scale 1 between circles
 constexpr int kFirstCircle = 8;              // px of scale 1; nearer there is only own body
-constexpr int kDirections = 64;              // in which a circle's paint is measured
-constexpr double kPitchOfPaint = 0.5;        // of its width: one sample is all on it
-constexpr double kLongestPitch = 8.0;        // px
 constexpr double kSubpixels = 256.0;         // of a tap
 constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
 constexpr std::size_t kShortest = 8;         // samples; no line fits into less
@@ -40,8 +37,11 @@ class Sampler {
     const Pixel pixel{model_.centre().u + radius * std::cos(direction),
                       model_.centre().v - radius * std::sin(direction)};
     if (is_hidden(mask, {pixel.u, pixel.v})) return std::nullopt;
-    if (pixel.u < 0.0 || pixel.v < 0.0 || pixel.u >= rays_.width() - 1.0 ||
-        pixel.v >= rays_.height() - 1.0) {
+    // Asked of the floats that samples keep: a place between two of them has its neighbours, too.
+    const auto u = static_cast<float>(pixel.u);
+    const auto v = static_cast<float>(pixel.v);
+    if (u < 0.0F || v < 0.0F || u >= static_cast<float>(rays_.width() - 1) ||
+        v >= static_cast<float>(rays_.height() - 1)) {
       return std::nullopt;
     }
     const auto floor = model_.on_plane(pixel, 0.0);
@@ -81,18 +81,6 @@ std::size_t scale_of(const RayTable& rays) {
   return static_cast<std::size_t>(std::max(1.0, std::round(shorter / kNominalHeight)));
 }
 
-// How long a step along a circle may be.
-std::size_t pitch_of(const Sampler& sampler, int radius, double line_width) {
-  double pitch = kLongestPitch;
-  for (int i = 0; i < kDirections; ++i) {
-    const auto step = sampler.at(radius, kTurn * i / kDirections);
-    if (!step) continue;
-    const auto pixel = static_cast<double>(step->sample.tangential_footprint);
-    pitch = std::min(pitch, kPitchOfPaint * line_width / pixel);
-  }
-  return static_cast<std::size_t>(std::max(1.0, pitch));
-}
-
 }  // namespace
 
 bool is_masked(const Mask& mask, double image_direction) {
@@ -107,8 +95,7 @@ bool is_masked(const Mask& mask, double image_direction) {
 
 ScanLines::ScanLines(const CameraParameters& parameters,
                      const CameraModel& model,
-                     const RayTable& rays,
-                     double line_width)
+                     const RayTable& rays)
     : scale_(scale_of(rays)) {
   const auto scale = static_cast<int>(scale_);
   const Sampler sampler(parameters, model, rays);
@@ -124,9 +111,8 @@ ScanLines::ScanLines(const CameraParameters& parameters,
     close(radial_, {first, 0, direction, scale_});
   }
   for (int radius = scale * kFirstCircle; radius < reach; radius += scale * kCircleSpacing) {
-    const std::size_t pitch = pitch_of(sampler, radius, line_width);
-    const auto steps = static_cast<int>(std::ceil(kTurn * radius / static_cast<double>(pitch)));
-    add_circle(steps, pitch, [&](int step) { return sampler.at(radius, kTurn * step / steps); });
+    const auto steps = static_cast<int>(std::ceil(kTurn * radius / scale));
+    add_circle(steps, [&](int step) { return sampler.at(radius, kTurn * step / steps); });
   }
 }
 
@@ -135,15 +121,13 @@ void ScanLines::add(const ScanStep& step) {
   samples_.push_back(step.sample);
 }
 
-void ScanLines::add_circle(int steps,
-                           std::size_t pitch,
-                           const std::function<std::optional<ScanStep>(int)>& step_at) {
+void ScanLines::add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at) {
   std::size_t first = samples_.size();
   for (int step = 0; step < steps; ++step) {
     const auto seen = step_at(step);
     if (seen) add(*seen);
     if (seen && step + 1 < steps) continue;
-    close(circular_, {first, 0, 0.0, pitch});
+    close(circular_, {first, 0, 0.0, scale_});
     first = samples_.size();
   }
 }
@@ -156,7 +140,6 @@ void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
     return;
   }
   longest_ = std::max(longest_, range.count);
-  longest_px_ = std::max(longest_px_, range.count * range.pitch);
   ranges.push_back(range);
 }
 

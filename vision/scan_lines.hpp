@@ -55,15 +55,10 @@ struct ScanRange {
 /// runs away from it. Only where the camera sees floor no farther than the pattern's reach and the
 /// mask lets it.
 ///
-/// Along radial lines a step is a pixel of a picture that is 480 pixels high, whatever this one's
-/// height. Along circles it is as long as paint of the given width lets it be without being missed.
+/// A step is about a pixel of a picture that is 480 pixels high, whatever this one's height.
 class ScanLines {
  public:
-  /// @param line_width  of the paint; m
-  ScanLines(const CameraParameters& parameters,
-            const CameraModel& model,
-            const RayTable& rays,
-            double line_width = 0.125);
+  ScanLines(const CameraParameters& parameters, const CameraModel& model, const RayTable& rays);
 
   /// Pixels to one of a picture that is 480 pixels high: what lengths in pixels that mean parts of
   /// the picture are multiplied by.
@@ -88,13 +83,11 @@ class ScanLines {
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
   /// The length of the longest line; px.
-  [[nodiscard]] std::size_t longest_px() const { return longest_px_; }
+  [[nodiscard]] std::size_t longest_px() const { return longest_ * scale_; }
 
  private:
   /// Appends the arcs of one circle; `step_at` gives nothing where the view is masked.
-  void add_circle(int steps,
-                  std::size_t pitch,
-                  const std::function<std::optional<ScanStep>(int)>& step_at);
+  void add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at);
   void add(const ScanStep& step);
   /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
   void close(std::vector<ScanRange>& ranges, ScanRange range);
@@ -105,7 +98,6 @@ class ScanLines {
   std::vector<ScanRange> radial_;
   std::vector<ScanRange> circular_;
   std::size_t longest_{0};
-  std::size_t longest_px_{0};
 };
 
 /// Whether the mask hides this image direction.

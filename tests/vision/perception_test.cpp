@@ -41,6 +41,20 @@ CameraParameters small_camera() {
   return camera;
 }
 
+// The same eye with a sensor of more pixels.
+CameraParameters large_camera() {
+  constexpr double kScale = 4.0;
+  CameraParameters camera = small_camera();
+  camera.width_px = 1280;
+  camera.height_px = 1024;
+  auto& table = std::get<RadialTable>(camera.mirror);
+  table.centre_u_px = 639.5;
+  table.centre_v_px = 511.5;
+  for (RingMark& row : table.rows) row.radius_px *= kScale;
+  camera.mask.inner_radius_px *= kScale;
+  return camera;
+}
+
 struct Paint {
   int y{0};
   int u{128};
@@ -81,13 +95,17 @@ Paint look(const Ray<Robot>& ray, const FieldModel& field, const Scene& scene) {
   return line && std::abs(line->distance) < 0.5 * field.line_width ? kWhite : kGreen;
 }
 
+Paint look(const CameraModel& model, const FieldModel& field, const Scene& scene, Pixel pixel) {
+  const auto ray = model.ray(pixel);
+  return ray ? look(*ray, field, scene) : kBlack;
+}
+
 // The mean of nine rays through a pixel: edges must be grey to be found well.
 Paint pixel_of(const CameraModel& model, const FieldModel& field, const Scene& scene, Pixel pixel) {
   Paint sum{0, 0, 0};
   for (const double du : {-1.0 / 3.0, 0.0, 1.0 / 3.0}) {
     for (const double dv : {-1.0 / 3.0, 0.0, 1.0 / 3.0}) {
-      const auto ray = model.ray({pixel.u + du, pixel.v + dv});
-      const Paint paint = ray ? look(*ray, field, scene) : kBlack;
+      const Paint paint = look(model, field, scene, {pixel.u + du, pixel.v + dv});
       sum = {sum.y + paint.y, sum.u + paint.u, sum.v + paint.v};
     }
   }
@@ -98,10 +116,13 @@ std::vector<std::uint8_t> frame_of(const CameraParameters& camera,
                                    const FieldModel& field,
                                    const Scene& scene) {
   const CameraModel model(camera);
+  const bool is_small = camera.width_px == kWidth;  // of many pixels one ray each is enough
   std::vector<std::uint8_t> bytes;
-  for (std::uint32_t v = 0; v < kHeight; ++v) {
-    for (std::uint32_t u = 0; u < kWidth; ++u) {
-      const Paint paint = pixel_of(model, field, scene, {1.0 * u, 1.0 * v});
+  for (std::uint32_t v = 0; v < camera.height_px; ++v) {
+    for (std::uint32_t u = 0; u < camera.width_px; ++u) {
+      const Pixel pixel{1.0 * u, 1.0 * v};
+      const Paint paint =
+          is_small ? pixel_of(model, field, scene, pixel) : look(model, field, scene, pixel);
       bytes.push_back(static_cast<std::uint8_t>(paint.y));
       bytes.push_back(static_cast<std::uint8_t>(u % 2 == 0 ? paint.u : paint.v));
     }
@@ -253,6 +274,32 @@ TEST(Perception, FindsTheFootOfAnObstacle) {
   const double range = std::hypot(p_RO.x, p_RO.y);
   EXPECT_NEAR(std::atan2(obstacle.p_RO.y, obstacle.p_RO.x), std::atan2(p_RO.y, p_RO.x), 0.05);
   EXPECT_NEAR(std::hypot(obstacle.p_RO.x, obstacle.p_RO.y), range - 0.25, 0.12);
+}
+
+TEST(Perception, SeesInALargePictureWhatASmallOneShows) {
+  const CameraParameters camera = large_camera();
+  const Point3<Robot> p_RB{1.5, -0.7, 0.11};
+  const Point<Robot> p_RO{1.4, 1.0};
+  const Scene scene{{-1.2, 0.8, 0.6}, p_RB, p_RO};
+  Perception perception(camera, test_field());
+  const auto bytes = frame_of(camera, test_field(), scene);
+  MotionPrior prior;
+  prior.start_side = StartSide::kOwnHalf;
+
+  const auto seen = perception.see({bytes, 1280, 1024, PixelFormat::kYuyv}, prior);
+
+  ASSERT_TRUE(seen);
+  const FrameObservation& frame = **seen;
+  EXPECT_EQ(frame.posture.status, PostureStatus::kOk);
+  EXPECT_LT((frame.posture.X_FR.origin().vector() - scene.X_FR.origin().vector()).norm(), 0.01);
+  EXPECT_NEAR(angle_difference(frame.posture.X_FR.theta(), scene.X_FR.theta()), 0.0, 0.01);
+  ASSERT_EQ(frame.balls.size(), 1U);
+  EXPECT_LT(error_of(frame.balls.front(), p_RB), 0.01);
+  EXPECT_TRUE(frame.ball_pixels[0].on_carpet);
+  ASSERT_EQ(frame.obstacles.size(), 1U);
+  const Point<Robot>& foot = frame.obstacles.front().p_RO;
+  EXPECT_NEAR(std::atan2(foot.y, foot.x), std::atan2(p_RO.y, p_RO.x), 0.03);
+  EXPECT_NEAR(std::hypot(foot.x, foot.y), std::hypot(p_RO.x, p_RO.y) - 0.25, 0.06);
 }
 
 TEST(Perception, GivesTheSameAnswerTwice) {
