@@ -20,23 +20,25 @@ constexpr double kWorthSplitting = 0.03;
 constexpr std::array<std::size_t, 2> kPlaces{10, 6};
 static_assert(kPlaces[0] + kPlaces[1] == kMaxBallBeliefs);
 
-/// Makes room for one that moves like this, by forgetting the least probable of its kind.
-void make_room(BallBeliefs& beliefs, BallMode mode) {
+/// Of the possibilities that move like this, the least probable; the list's size if there still is
+/// room for one more.
+std::size_t superfluous(const BallBeliefs& beliefs, BallMode mode) {
   std::size_t alike = 0;
-  std::size_t least = kMaxBallBeliefs;
+  std::size_t least = beliefs.size();
   for (std::size_t i = 0; i < beliefs.size(); ++i) {
     if (beliefs[i].mode != mode) continue;
     ++alike;
-    if (least == kMaxBallBeliefs || beliefs[i].probability < beliefs[least].probability) least = i;
+    if (least == beliefs.size() || beliefs[i].probability < beliefs[least].probability) least = i;
   }
-  if (least == kMaxBallBeliefs) return;
-  if (alike >= kPlaces[static_cast<std::size_t>(mode)] || beliefs.is_full()) beliefs.erase(least);
+  const bool is_room = alike < kPlaces[static_cast<std::size_t>(mode)] && !beliefs.is_full();
+  return is_room ? beliefs.size() : least;
 }
 
 /// Puts one more in. A new one is always worth more than the old one that was least probable:
 /// nothing seen has spoken against it yet.
 void put(BallBeliefs& beliefs, const BallBelief& belief) {
-  make_room(beliefs, belief.mode);
+  const std::size_t least = superfluous(beliefs, belief.mode);
+  if (least < beliefs.size()) beliefs.erase(least);
   if (!beliefs.is_full()) beliefs.push_back(belief);
 }
 
@@ -100,7 +102,8 @@ bool is_alike(const BallBelief& a, const Shape& in_a, const BallBelief& b, const
 
 /// Both as one, with their common mean and covariance.
 BallBelief merged(const BallBelief& a, const BallBelief& b) {
-  BallBelief both = a;
+  BallBelief both = a.seen < b.seen ? b : a;
+  both.state = a.state;
   both.probability = a.probability + b.probability;
   const double share = b.probability / both.probability;
   const BallVector gap = b.state.mean - a.state.mean;
@@ -109,6 +112,13 @@ BallBelief merged(const BallBelief& a, const BallBelief& b) {
                    share * (1.0 - share) * gap * gap.transpose();
   both.state.cross = (1.0 - share) * a.state.cross + share * b.state.cross;
   return both;
+}
+
+/// Adds one; if there is no room for more of its kind, the least probable of them is forgotten.
+void add_probable(BallBeliefs& beliefs, const BallBelief& belief) {
+  const std::size_t least = superfluous(beliefs, belief.mode);
+  if (least == beliefs.size()) return beliefs.push_back(belief);
+  if (beliefs[least].probability < belief.probability) beliefs[least] = belief;
 }
 
 void merge_alike(BallBeliefs& beliefs) {
@@ -176,6 +186,24 @@ void split_off_kicks(BallBeliefs& beliefs,
   }
   for (const BallBelief& kick : kicks) put(beliefs, kick);
   normalise(beliefs);
+}
+
+void add_others(BallBeliefs& beliefs, const BallBeliefs& others) {
+  double sum = 0.0;
+  for (const BallBelief& belief : beliefs) sum += belief.probability;
+  for (const BallBelief& belief : others) sum += belief.probability;
+  std::array<BallBelief, 2> rest;
+  for (const BallBelief& other : others) {
+    BallBelief& alike = rest[static_cast<std::size_t>(other.mode)];
+    if (other.probability >= kWorthSplitting * sum) {
+      add_probable(beliefs, other);
+    } else if (other.probability > 0.0) {
+      alike = alike.probability > 0.0 ? merged(alike, other) : other;
+    }
+  }
+  for (const BallBelief& belief : rest) {
+    if (belief.probability > kLeastProbability * sum) add_probable(beliefs, belief);
+  }
 }
 
 void tidy(BallBeliefs& beliefs) {

@@ -5,6 +5,8 @@
 #include "fusion/considered.hpp"
 #include "fusion/feet.hpp"
 #include "fusion/inline_list.hpp"
+#include "geometry/identity.hpp"
+#include "geometry/time.hpp"
 
 namespace teamsight::fusion {
 
@@ -13,6 +15,8 @@ struct BallBelief {
   Considered<6> state;
   BallMode mode{BallMode::kRolling};
   double probability{0.0};
+  RobotId seen_by{kNobody};               ///< whose ray it was that last told of it
+  HostTime seen{std::chrono::hours(-1)};  ///< when; at first before every exposure
 };
 
 inline constexpr std::size_t kMaxBallBeliefs = 16;
@@ -44,6 +48,11 @@ void split_off_kicks(BallBeliefs& beliefs,
                      double dt,
                      const FeetList& feet,
                      const BallMotion& motion);
+
+/// Adds others, their probabilities on the same scale: those that matter one by one, if there is
+/// room or a less probable one; the rest of each way of moving as one, so that many of which none
+/// matters are not forgotten together.
+void add_others(BallBeliefs& beliefs, const BallBeliefs& others);
 
 /// Makes one of possibilities that have become alike, forgets the improbable, normalises.
 void tidy(BallBeliefs& beliefs);

@@ -26,10 +26,20 @@ double log_density(const Motion& gap, const MotionCov& cov) {
   return -0.5 * gap.dot(factor.solve(gap)) - log_root - 2.0 * std::log(2.0 * std::numbers::pi);
 }
 
-/// Log-odds that it is a ball at all. False ones do not last.
-double log_odds_real(const TrackBook& book, const ChoiceParameters& parameters) {
+/// Log-odds that speak for a ball that was seen for so long: false ones do not last.
+double for_lasting(const TrackBook& book, const ChoiceParameters& parameters) {
   const double watched = to_seconds(book.last_hit - book.born) / to_seconds(parameters.false_life);
-  return log_odds_of(book) + std::min(watched, parameters.most_for_lasting);
+  return std::min(watched, parameters.most_for_lasting);
+}
+
+/// Log-odds that it is a ball at all, as it is seen now.
+double log_odds_real(const TrackBook& book, const ChoiceParameters& parameters) {
+  return log_odds_of(book) + for_lasting(book, parameters);
+}
+
+/// ... and that it was one, wherever it may be now.
+double log_odds_proven(const TrackBook& book, const ChoiceParameters& parameters) {
+  return book.proven + for_lasting(book, parameters);
 }
 
 /// log(sum of exponentials), of two.
@@ -39,6 +49,10 @@ double log_sum(double a, double b) {
 }
 
 }  // namespace
+
+double log_odds_found(const BallTrack& ball, const Parameters& parameters) {
+  return log_odds_real(ball.book, parameters.choice) - parameters.ball.most_vote;
+}
 
 double log_explained(const BallTrack& before,
                      const BallTrack& after,
@@ -56,6 +70,11 @@ double log_explained(const BallTrack& before,
     const MotionCov cov = MotionCov(belief.state.cov(kOnFloor, kOnFloor)) + found_cov;
     expected += belief.probability * std::exp(log_density(gap_F, cov));
   }
+  // None of the possibilities, then: anywhere on the field, and as fast as a false one.
+  const double unseen = std::max(0.0, to_seconds(after.book.time - before.book.last_hit));
+  const double lost = 1.0 - std::exp(-parameters.lost_rate * unseen);
+  const double log_elsewhere =
+      std::log(std::max(lost, kLeast) * parameters.density_anywhere / parameters.false_density);
   MotionCov of_false = found_cov;
   of_false.diagonal().tail<2>().array() += parameters.false_speed * parameters.false_speed;
   const Eigen::Vector2d v_F = found.mean.segment<2>(3);
@@ -63,7 +82,7 @@ double log_explained(const BallTrack& before,
   const double log_false = std::log(parameters.false_density) -
                            0.5 * squared_mahalanobis(v_F, cov_v) -
                            std::log(2.0 * std::numbers::pi * std::sqrt(cov_v.determinant()));
-  return std::log(std::max(expected, kLeast)) - log_false;
+  return log_sum(std::log(std::max(expected, kLeast)) - log_false, log_elsewhere);
 }
 
 BallOrder order_of_choice(const BallList& balls,
@@ -76,12 +95,12 @@ BallOrder order_of_choice(const BallList& balls,
   BallOrder order;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     if (!balls[i].book.is_confirmed) continue;
-    const double challenge = log_odds_real(balls[i].book, parameters.choice) + hint(balls[i]);
+    const double challenge = log_odds_found(balls[i], parameters) + hint(balls[i]);
     // From the end: it goes ahead of all that it beats.
     std::size_t place = order.size();
     while (place > 0) {
       const BallTrack& old = balls[order[place - 1]];
-      const double real = log_odds_real(old.book, parameters.choice) + hint(old);
+      const double real = log_odds_proven(old.book, parameters.choice) + hint(old);
       // Odds against the old one being real add to those of its having been kicked there.
       const double way = log_sum(log_explained(old, balls[i], parameters.choice), -real);
       if (challenge + way <= 0.0) break;

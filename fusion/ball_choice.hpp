@@ -12,6 +12,10 @@ namespace teamsight::fusion {
 /// Indices into a list of balls, each once.
 using BallOrder = InlineList<std::size_t, kMaxBallTracks>;
 
+/// Log-odds that a ball which turns up is real, before asking where it may have come from. One
+/// robot's word is spent: the density of false balls counts those that one robot insists on.
+[[nodiscard]] double log_odds_found(const BallTrack& ball, const Parameters& parameters);
+
 /// Log of how much more often the ball `before` is found where, and as fast as, `after` is than a
 /// false ball is.
 ///

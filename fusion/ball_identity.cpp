@@ -18,16 +18,17 @@ bool contains(const BallKeys& keys, std::uint32_t key) {
 
 /// Whether `found` is real and what `lost` was: seen first after the other was seen last, where
 /// that may be.
-bool may_be(const BallTrack& lost, const BallTrack& found, const ChoiceParameters& parameters) {
+bool may_be(const BallTrack& lost, const BallTrack& found, const Parameters& parameters) {
   constexpr double kClear = 3.0;  // log-odds over its being a false one: 95 %
   return lost.book.is_confirmed && found.book.born - lost.book.last_hit >= kShortestLoss &&
-         log_odds_of(found.book) + log_explained(lost, found, parameters) >= kClear;
+         log_odds_found(found, parameters) + log_explained(lost, found, parameters.choice) >=
+             kClear;
 }
 
 /// The track that `found` goes on from, or the list's size.
 std::size_t forerunner_of(const BallTrack& found,
                           const BallList& balls,
-                          const ChoiceParameters& parameters) {
+                          const Parameters& parameters) {
   std::size_t latest = balls.size();
   for (std::size_t i = 0; i < balls.size(); ++i) {
     if (!may_be(balls[i], found, parameters)) continue;
@@ -57,7 +58,7 @@ BallKeys confirmed_keys(const BallList& balls) {
 std::uint32_t recognise(BallList& balls,
                         const BallKeys& before,
                         std::uint32_t lost,
-                        const ChoiceParameters& parameters) {
+                        const Parameters& parameters) {
   const BallKeys after = confirmed_keys(balls);
   lost = last_lost(lost, before, after);
   for (std::size_t i = balls.size(); i-- > 0;) {
@@ -65,6 +66,7 @@ std::uint32_t recognise(BallList& balls,
     if (!book.is_confirmed || contains(before, book.key)) continue;
     if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
       book.key = balls[old].book.key;
+      book.proven = std::max(book.proven, balls[old].book.proven);
       balls.erase(old);
       return lost;
     }

@@ -25,6 +25,6 @@ using BallKeys = InlineList<std::uint32_t, kMaxBallTracks>;
 [[nodiscard]] std::uint32_t recognise(BallList& balls,
                                       const BallKeys& before,
                                       std::uint32_t lost,
-                                      const ChoiceParameters& parameters);
+                                      const Parameters& parameters);
 
 }  // namespace teamsight::fusion

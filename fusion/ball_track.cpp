@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "fusion/measurement.hpp"
 #include "fusion/track.hpp"
 #include "fusion/turn.hpp"
 
@@ -24,6 +25,7 @@ class BallKind {
         feet_(sightings.feet),
         glance_(scene.glance),
         errors_(scene.errors),
+        hiding_(scene.hiding),
         setting_(setting) {
     observer_.posture = glance_.posture;
     observer_.place = errors_.place_of(glance_.robot);
@@ -69,29 +71,53 @@ class BallKind {
     return best;
   }
 
+  /// Each possibility is one of two now: that what was seen is the ball, and that it is not.
   Gap hit(BallTrack& track, const Candidate& candidate) const {
-    Gap mean{0.0, 2, 0.0};
-    std::array<double, kMaxBallBeliefs> logs{};
-    for (std::size_t i = 0; i < track.beliefs.size(); ++i) {
-      BallBelief& belief = track.beliefs[i];
-      Look look = look_at(belief, candidate);
+    const BallBeliefs before = track.beliefs;
+    const double log_false = log_of_false(candidate);
+    Gap mean{0.0, 2, 0.0, 0.0};
+    Logs hits{};
+    Logs misses{};
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Look look = look_at(before[i], candidate);
       mean.degrees = look.degrees;
-      mean.squared_distance += belief.probability * look.squared;
-      const double tail = tail_factor(look.squared, look.degrees);
-      // Student's t with 5 degrees of freedom, up to what is alike in all possibilities.
-      logs[i] =
-          -0.5 * look.log_determinant - 0.5 * (5.0 + look.degrees) * std::log1p(look.squared / 5.0);
-      take_look(belief.state, look, tail, rays_[candidate.index]);
-      logs[i] -= too_fast(belief.state.mean);
-      if (belief.mode == BallMode::kRolling) settle(belief.state);
+      mean.squared_distance += before[i].probability * look.squared;
+      // What is seen can be seen, whatever is said of range and bodies in the way.
+      constexpr double kLeast = 0.05;
+      const double seen = std::max(kLeast, seen_probability(before[i]));
+      const double log_prior = std::log(before[i].probability);
+      hits[i] = log_prior + std::log(seen) + absorb(track.beliefs[i], look, candidate);
+      misses[i] = log_prior + std::log(kept_unseen(before[i], seen)) + log_false;
     }
-    const double best = *std::max_element(
-        logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(track.beliefs.size()));
-    for (std::size_t i = 0; i < track.beliefs.size(); ++i) {
-      track.beliefs[i].probability *= std::exp(logs[i] - best);
+    const auto end = static_cast<std::ptrdiff_t>(before.size());
+    const double best = std::max(*std::max_element(hits.begin(), hits.begin() + end),
+                                 *std::max_element(misses.begin(), misses.begin() + end));
+    double all_false = 0.0;
+    BallBeliefs others = before;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      track.beliefs[i].probability = std::exp(hits[i] - best);
+      mean.probability += track.beliefs[i].probability;
+      others[i].probability = std::exp(misses[i] - best);
+      all_false += others[i].probability;
     }
+    mean.probability /= mean.probability + all_false;
+    // Most looks leave no doubt.
+    constexpr double kNegligible = -10.0;
+    if (std::log(all_false) > kNegligible) add_others(track.beliefs, others);
     tidy(track.beliefs);
     return mean;
+  }
+
+  /// Where the ball would have been seen, it is less probable now.
+  double missed(BallTrack& track) const {
+    double expected = 0.0;
+    for (BallBelief& belief : track.beliefs) {
+      const double seen = seen_probability(belief);
+      expected += belief.probability * seen;
+      belief.probability *= kept_unseen(belief, seen);
+    }
+    tidy(track.beliefs);
+    return expected;
   }
 
   [[nodiscard]] std::optional<BallTrack> begin(const Candidate& candidate) const {
@@ -104,14 +130,68 @@ class BallKind {
     track.book = first_page(
         candidate.key, {glance_.robot, glance_.exposure, candidate.confidence}, setting_.track);
     const Considered<6> state = on_floor(candidate);
-    track.beliefs.push_back({state, BallMode::kRolling, 0.9});
-    track.beliefs.push_back({lifted(state, candidate), BallMode::kFlying, 0.1});
+    const RobotId robot = glance_.robot;
+    track.beliefs.push_back({state, BallMode::kRolling, 0.9, robot, glance_.exposure});
+    track.beliefs.push_back(
+        {lifted(state, candidate), BallMode::kFlying, 0.1, robot, glance_.exposure});
     return track;
   }
 
  private:
+  using Logs = std::array<double, kMaxBallBeliefs>;
+
   // Of the log of its probability, how much counts against a possibility in the gate.
   static constexpr double kUnlikely = 0.5;
+  // What hides a ball from a robot in one frame hides it in the next: each frame without it counts
+  // for so much of one that tells something new.
+  static constexpr double kIndependent = 0.3;
+
+  /// Whether this robot saw that ball a moment ago.
+  [[nodiscard]] bool is_just_seen(const BallBelief& belief) const {
+    constexpr Duration kMoment = std::chrono::milliseconds(300);
+    return belief.seen_by == glance_.robot && glance_.exposure - belief.seen < kMoment;
+  }
+
+  /// That this frame would show the ball if it were there: for one that may be here or metres
+  /// away, the mean over four places around (a cubature of third degree).
+  [[nodiscard]] double seen_probability(const BallBelief& belief) const {
+    constexpr double kPlaced = 0.25;  // m^2
+    const Eigen::Vector2d p_F = belief.state.mean.head<2>();
+    const Eigen::Matrix2d cov = belief.state.cov.topLeftCorner<2, 2>();
+    if (cov.trace() < kPlaced) return seen_probability(p_F);
+    const Eigen::Matrix2d root =
+        std::sqrt(2.0) * Eigen::Matrix2d(Eigen::LLT<Eigen::Matrix2d>(cov).matrixL());
+    double sum = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      sum += seen_probability(p_F + root.col(axis)) + seen_probability(p_F - root.col(axis));
+    }
+    return 0.25 * sum;
+  }
+
+  [[nodiscard]] double seen_probability(const Eigen::Vector2d& p_F) const {
+    return detection_probability(p_F, glance_.observer(), hiding_, setting_.track);
+  }
+
+  /// Share of its probability that a possibility keeps when the frame does not show the ball.
+  [[nodiscard]] double kept_unseen(const BallBelief& belief, double seen) const {
+    constexpr double kAgain = 0.3;  // what was seen a moment ago, and nothing hides
+    if (seen <= 0.0) return 1.0;
+    return is_just_seen(belief) ? 1.0 - std::max(seen, kAgain) : std::pow(1.0 - seen, kIndependent);
+  }
+
+  /// Log-likelihood of what was seen if it is not the ball, as `absorb` has it: false ones lie on
+  /// the floor, as densely everywhere, and look as large as a ball within a factor of about two.
+  [[nodiscard]] double log_of_false(const Candidate& candidate) const {
+    constexpr double kFarthest = 10.0;  // m
+    const BallRay& ray = rays_[candidate.index];
+    const double height = ray.ray_R.origin.z - setting_.motion.radius;
+    const double range = std::clamp(candidate.distance, height, kFarthest);
+    const double per_direction =
+        setting_.track.false_density * range * range_slope(height, std::atan2(height, range));
+    const bool has_size = degrees_of(ray) == 3;
+    const double per_size = has_size ? 1.0 / ray.angular_radius : 1.0 / std::sqrt(kSizeNotMeasured);
+    return std::log(per_direction * per_size) - log_peak_of_tails(degrees_of(ray));
+  }
 
   /// Too uncertain to say that something seen is this ball: whatever is seen would fit, and what
   /// is false with it. If it is the ball, a track of its own will soon say so.
@@ -136,8 +216,30 @@ class BallKind {
     const Eigen::LLT<Eigen::Matrix3d> factor(look.cov);
     look.squared = look.view.gap.dot(factor.solve(look.view.gap));
     look.log_determinant = 2.0 * Eigen::Matrix3d(factor.matrixL()).diagonal().array().log().sum();
-    look.degrees = ray.angular_radius > 0.0 && ray.sigma_angular_radius > 0.0 ? 3 : 2;
+    look.degrees = degrees_of(ray);
     return look;
+  }
+
+  static int degrees_of(const BallRay& ray) {
+    return ray.angular_radius > 0.0 && ray.sigma_angular_radius > 0.0 ? 3 : 2;
+  }
+
+  /// Log of the density of Student's t with 5 degrees of freedom at its middle.
+  static double log_peak_of_tails(int degrees) {
+    return degrees == 3 ? std::log(0.0725) : std::log(0.159);
+  }
+
+  /// Takes what was seen for the ball.
+  ///
+  /// @return how likely that look was, as a log; up to log_peak_of_tails
+  double absorb(BallBelief& belief, const Look& look, const Candidate& candidate) const {
+    take_look(belief.state, look, tail_factor(look.squared, look.degrees), rays_[candidate.index]);
+    const double fast = too_fast(belief.state.mean);
+    if (belief.mode == BallMode::kRolling) settle(belief.state);
+    belief.seen_by = glance_.robot;
+    belief.seen = glance_.exposure;
+    return -0.5 * look.log_determinant -
+           0.5 * (5.0 + look.degrees) * std::log1p(look.squared / 5.0) - fast;
   }
 
   /// What speaks against a ball that is faster than any, as a log of probability.
@@ -209,6 +311,7 @@ class BallKind {
   const FeetList& feet_;
   const Glance& glance_;
   const TeamErrors& errors_;
+  const CandidateList& hiding_;
   const BallSetting& setting_;
   BallObserver observer_;
 };

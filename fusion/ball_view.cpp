@@ -9,8 +9,7 @@
 namespace teamsight::fusion {
 namespace {
 
-constexpr double kNotMeasured = 1e4;  // rad^2
-constexpr double kNearest = 0.02;     // m; straight below the mirror there is no azimuth
+constexpr double kNearest = 0.02;  // m; straight below the mirror there is no azimuth
 
 struct RayGeometry {
   Eigen::Vector2d way_R{Eigen::Vector2d::Zero()};  // along the floor, from below the ray's origin
@@ -59,7 +58,7 @@ void fill_gap(const BallRay& ray, const Eigen::Vector3d& expected, ConsideredVie
       std::atan2(direction.z(), direction.head<2>().norm()) - expected(1), 0.0;
   view.cov.setZero();
   view.cov.topLeftCorner<2, 2>() = ray.cov_direction;
-  view.cov(2, 2) = kNotMeasured;
+  view.cov(2, 2) = kSizeNotMeasured;
   if (ray.angular_radius <= 0.0 || ray.sigma_angular_radius <= 0.0) return;
   view.gap(2) = ray.angular_radius - expected(2);
   view.cov(2, 2) = ray.sigma_angular_radius * ray.sigma_angular_radius;

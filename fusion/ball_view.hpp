@@ -20,6 +20,9 @@ struct BallObserver {
   double ball_radius{0.11};    ///< m
 };
 
+/// Variance of an angular radius that was not measured; rad^2.
+inline constexpr double kSizeNotMeasured = 1e4;
+
 /// The ray as an observation of (azimuth, elevation, angular radius) of a ball, linear around
 /// `ball`. An angular radius that was not measured has a covariance that says so.
 [[nodiscard]] ConsideredView<6, 3> view_of_ball(const BallVector& ball,

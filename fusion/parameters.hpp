@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "fusion/ball_motion.hpp"
 #include "geometry/time.hpp"
@@ -32,8 +33,15 @@ struct TrackParameters {
   Duration death_age{std::chrono::seconds(3)};
   /// A track whose log-odds of existence fall below this is dropped.
   double death_log_odds{-2.0};
+  /// ... unless they once were above this: then it is hidden somewhere, however long nobody sees
+  /// it.
+  double lasting_log_odds{std::numeric_limits<double>::infinity()};
   double most_vote{3.0};  ///< log-odds that one robot adds, or takes away: 95 %
   Duration vote_memory{std::chrono::seconds(2)};
+  /// False ones that one frame shows, per m^2 of floor: one in a hundred frames, on 110 m^2.
+  double false_density{1e-4};
+  /// Mean of how long one robot goes on seeing a false one.
+  Duration false_life{std::chrono::milliseconds(1500)};
   /// A track less probable than this is not published.
   double least_existence{0.5};
   /// A track whose place is known worse (larger semi-axis of one sigma, m) is kept, and may be
@@ -48,6 +56,7 @@ struct TrackParameters {
   ball.sigma_speed_at_birth = 4.0;
   ball.detection_probability = 0.6;
   ball.death_age = std::chrono::seconds(6);
+  ball.lasting_log_odds = 4.0;     // more than one robot's word; the game goes on with its ball
   ball.max_sigma_published = 3.0;  // even a rough memory of the ball says where to look
   return ball;
 }
@@ -110,9 +119,24 @@ struct ChoiceParameters {
   /// So many in a square metre beside a ball that is hidden: five robots, each with one a minute,
   /// two seconds, 170 m^2 that they see.
   double false_density{1e-3};
+  /// How often a ball that is hidden does what none of its possibilities foresees, 1/s.
+  double lost_rate{0.05};
+  double density_anywhere{4e-3};  ///< per m^2, of a ball that may be anywhere on the field
   double false_speed{2.0};  ///< m/s per component, of false balls: they move with who sees them
   Duration false_life{std::chrono::milliseconds(1500)};  ///< mean of how long one is seen
   double most_for_lasting{3.0};                          ///< log-odds; as much as one robot's vote
+};
+
+/// What is to be expected of obstacles that are seen for the first time, see fusion/unseen.hpp.
+struct NewcomerParameters {
+  /// Real ones where nobody looks, per m^2: a team of five on 300 m^2.
+  double density{1.7e-2};
+  double speed{1.5};  ///< m/s; how fast they come to where they are not expected
+  /// False ones that begin and last, per m^2 and frame: one a minute of 25 frames a second, on 110
+  /// m^2.
+  double lasting_density{6e-6};
+  double least_detected{0.05};  ///< that a robot reports one that it can hardly see, per frame
+  double most_doubt{6.0};       ///< log-odds; as much as two robots' votes
 };
 
 /// How far a hint reaches, and for how long.
@@ -131,6 +155,7 @@ struct Parameters {
   TrackParameters ball{default_ball_parameters()};
   BallMotion ball_motion;
   ChoiceParameters choice;
+  NewcomerParameters newcomer;
   HintParameters hint;
   TrustParameters trust;
   TrackParameters obstacle{default_obstacle_parameters()};

@@ -129,26 +129,46 @@ FeetList feet_at(const State& state, HostTime exposure, const Parameters& parame
   return feet;
 }
 
+/// Says of each obstacle how much is to be doubted if it is no track's, and what the frame tells of
+/// those that it does not show.
+void weigh_newcomers(UnseenMap& unseen,
+                     CandidateList& obstacles,
+                     const Scene& scene,
+                     const Setting& setting) {
+  const Parameters& parameters = setting.parameters;
+  const Carpet carpet = Carpet::of(setting.field, parameters.carpet_margin);
+  unseen.wander_to(scene.glance.exposure, carpet, parameters.newcomer);
+  for (Candidate& candidate : obstacles) {
+    const Eigen::Vector2d& p_F = candidate.measurement.p_F;
+    const double detected =
+        detection_probability(p_F, scene.glance.observer(), scene.hiding, parameters.obstacle);
+    candidate.doubt = doubt_of_newcomer(unseen.share_at(p_F, carpet), detected, parameters);
+  }
+  unseen.watch(scene, carpet, parameters.obstacle);
+}
+
 /// Takes what the frame shows into teammates' errors and the tracks.
 ///
 /// @return how many balls and obstacles were used
 std::size_t take_sighted(State& state,
                          const Observation& observation,
                          const Sighted& sighted,
-                         const Parameters& parameters) {
+                         const Setting& setting) {
+  const Parameters& parameters = setting.parameters;
   const Glance glance{
       observation.id.robot, observation.exposure, observation.sigma_exposure, observation.posture};
   const MateSightings mates = find_teammates(sighted.obstacles, state, observation, parameters);
   learn_from_teammates(state, sighted.obstacles, mates, glance, parameters);
-  const CandidateList obstacles = without(sighted.obstacles, mates);
+  CandidateList obstacles = without(sighted.obstacles, mates);
   const Scene scene{glance, state.errors, sighted.obstacles};
+  weigh_newcomers(state.unseen, obstacles, scene, setting);
   const BallSetting ball{parameters.ball_motion, parameters.ball};
   const FeetList feet = feet_at(state, observation.exposure, parameters);
   const BallKeys known = confirmed_keys(state.balls);
   const std::uint32_t unused =
       take_in(state.balls, {sighted.balls, observation.balls, feet}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
-  state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters.choice);
+  state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters);
   return sighted.balls.size() + sighted.obstacles.size() - unused;
 }
 
@@ -180,7 +200,7 @@ void advance(State& state, const Observation& observation, const Setting& settin
     return;
   }
   const auto offered = observation.balls.size() + observation.obstacles.size();
-  const auto used = take_sighted(state, observation, sighted, parameters);
+  const auto used = take_sighted(state, observation, sighted, setting);
   observer.rejected_gate += static_cast<std::uint32_t>(offered - used);
   observer.accepted += static_cast<std::uint32_t>(used);
 }

@@ -10,6 +10,7 @@
 #include "fusion/teammate.hpp"
 #include "fusion/track.hpp"
 #include "fusion/trust.hpp"
+#include "fusion/unseen.hpp"
 #include "geometry/field_model.hpp"
 #include "geometry/world_model.hpp"
 
@@ -21,6 +22,7 @@ struct State {
   std::uint32_t lost_ball{0};  ///< key of the track that was given up last; 0: none
   HintedBall hinted;           ///< by the operator; decides which ball is listed first, no more
   TrackList obstacles;
+  UnseenMap unseen;                             ///< obstacles that are in no track
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
   TeamErrors errors;
   TrustBook trust;

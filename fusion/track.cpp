@@ -22,11 +22,12 @@ class ObstacleKind {
  public:
   using Track = fusion::Track;
 
-  ObstacleKind(const Glance& glance, const TeamErrors& errors, const TrackParameters& parameters)
-      : glance_(glance),
-        errors_(errors),
+  ObstacleKind(const Scene& scene, const TrackParameters& parameters)
+      : glance_(scene.glance),
+        errors_(scene.errors),
+        hiding_(scene.hiding),
         parameters_(parameters),
-        observer_(errors.place_of(glance.robot)) {}
+        observer_(scene.errors.place_of(scene.glance.robot)) {}
 
   void predict(Track& track, double dt) const {
     const PlanarStep step = planar_step(dt, motion_of(parameters_));
@@ -59,6 +60,10 @@ class ObstacleKind {
     return gap;
   }
 
+  [[nodiscard]] double missed(const Track& track) const {
+    return detection_probability(place(track), glance_.observer(), hiding_, parameters_);
+  }
+
   [[nodiscard]] std::optional<Track> begin(const Candidate& candidate) const {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(candidate.measurement.cov_F,
                                                               Eigen::EigenvaluesOnly);
@@ -68,6 +73,7 @@ class ObstacleKind {
     Track track;
     track.book = first_page(
         candidate.key, {glance_.robot, glance_.exposure, candidate.confidence}, parameters_);
+    track.book.doubt = candidate.doubt;
     track.radius = candidate.radius;
     track.state.mean << candidate.measurement.p_F, 0.0, 0.0;
     track.state.cov.setZero();
@@ -90,7 +96,7 @@ class ObstacleKind {
   }
 
   static Gap gap_of(const PlaceView& view, const Eigen::Matrix2d& cov) {
-    return {view.gap.dot(cov.inverse() * view.gap), 2, std::log(cov.determinant())};
+    return {view.gap.dot(cov.inverse() * view.gap), 2, std::log(cov.determinant()), 1.0};
   }
 
   [[nodiscard]] PlaceView view_of(const Track& track, const Candidate& candidate) const {
@@ -110,6 +116,7 @@ class ObstacleKind {
 
   const Glance& glance_;
   const TeamErrors& errors_;
+  const CandidateList& hiding_;
   const TrackParameters& parameters_;
   ErrorPlace observer_;
 };
@@ -126,7 +133,7 @@ std::uint32_t take_in(TrackList& tracks,
                       const CandidateList& candidates,
                       const Scene& scene,
                       const TrackParameters& parameters) {
-  const ObstacleKind kind(scene.glance, scene.errors, parameters);
+  const ObstacleKind kind(scene, parameters);
   return Turn<ObstacleKind, TrackList>(kind, tracks, candidates, scene, parameters).take();
 }
 

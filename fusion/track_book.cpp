@@ -20,6 +20,13 @@ double evidence(double confidence) {
   return std::log((confidence + kDoubt) / (1.0 - confidence + kDoubt));
 }
 
+bool is_seen_by_others(const TrackBook& book, RobotId robot) {
+  for (std::size_t i = 0; i < book.supported.size(); ++i) {
+    if (i != index_of(robot) && book.supported[i] != kNever) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 RobotMask robots_within(const RobotTimes& times, HostTime now, Duration window) {
@@ -30,8 +37,12 @@ RobotMask robots_within(const RobotTimes& times, HostTime now, Duration window) 
   return static_cast<RobotMask>(mask);
 }
 
-double log_odds_of(const TrackBook& book) {
+double votes_for(const TrackBook& book) {
   return std::accumulate(book.votes.begin(), book.votes.end(), 0.0);
+}
+
+double log_odds_of(const TrackBook& book) {
+  return votes_for(book) - book.doubt;
 }
 
 void turn_page(TrackBook& book, HostTime exposure, const TrackParameters& parameters) {
@@ -70,10 +81,14 @@ TrackBook first_page(std::uint32_t key, const Vote& vote, const TrackParameters&
 
 void write_hit(TrackBook& book, const Vote& vote, double nis, const TrackParameters& parameters) {
   book.nis_sum += nis;
+  const Duration lasted = std::max(Duration{0}, vote.exposure - book.last_hit);
+  book.doubt = std::max(0.0, book.doubt - to_seconds(lasted) / to_seconds(parameters.false_life));
+  if (is_seen_by_others(book, vote.robot)) book.doubt = 0.0;
   book.last_hit = std::max(book.last_hit, vote.exposure);
   book.supported[index_of(vote.robot)] = vote.exposure;
   double& said = book.votes[index_of(vote.robot)];
   said = std::min(said + evidence(vote.confidence), parameters.most_vote);
+  book.proven = std::max(book.proven, log_odds_of(book));
   ++book.hits;
   const bool is_quick = vote.exposure - book.born <= parameters.birth_window;
   if (is_quick && book.hits >= static_cast<std::uint32_t>(parameters.birth_hits)) {
@@ -83,8 +98,10 @@ void write_hit(TrackBook& book, const Vote& vote, double nis, const TrackParamet
 
 bool is_over(const TrackBook& book, HostTime exposure, const TrackParameters& parameters) {
   const bool is_late = exposure - book.born > parameters.birth_window;
-  return log_odds_of(book) < parameters.death_log_odds ||
-         exposure - book.last_hit > parameters.death_age || (!book.is_confirmed && is_late);
+  const bool is_given_up =
+      votes_for(book) < parameters.death_log_odds && book.proven < parameters.lasting_log_odds;
+  return is_given_up || exposure - book.last_hit > parameters.death_age ||
+         (!book.is_confirmed && is_late);
 }
 
 std::uint32_t track_key(const ObservationId& id, std::uint32_t index) {

@@ -39,6 +39,10 @@ struct TrackBook {
   /// What each robot says of its existence, as log-odds; index is robot id - 1. However often it
   /// says so, a robot is one witness: what deceives it in one frame deceives it in the next.
   std::array<double, kMaxRobotId> votes{};
+  /// Log-odds against it while one robot alone has seen it, by where it began (fusion/unseen.hpp).
+  /// They fade while it lasts.
+  double doubt{0.0};
+  double proven{0.0};  ///< the most that its log-odds of existence ever were
   std::uint32_t hits{0};
   bool is_confirmed{false};
   double nis_sum{0.0};  ///< normalised innovations squared, per degree of freedom
@@ -46,7 +50,10 @@ struct TrackBook {
   RobotTimes rejected{no_robot_times()};   ///< last time the robot saw only others of the kind
 };
 
-/// Log-odds of existence: the sum of the votes.
+/// The sum of the votes.
+[[nodiscard]] double votes_for(const TrackBook& book);
+
+/// Log-odds of existence: the votes against the doubt.
 [[nodiscard]] double log_odds_of(const TrackBook& book);
 
 /// Goes on to `exposure`: votes fade when their robots look elsewhere.
@@ -103,6 +110,7 @@ struct Candidate {
   std::uint32_t key{0};    ///< of the track that it would begin
   std::uint32_t index{0};  ///< in the observation's list
   bool may_begin{true};    ///< whether a track may begin with it
+  double doubt{0.0};       ///< of such a track, see TrackBook
 };
 
 inline constexpr std::size_t kMaxCandidates = 16;

@@ -18,6 +18,7 @@ struct Gap {
   double squared_distance{0.0};  ///< Mahalanobis; chi-square if right
   int degrees{2};
   double log_determinant{0.0};  ///< of the gap's covariance
+  double probability{1.0};      ///< that what was seen was the track's thing, once it is taken in
 };
 
 /// Takes everything of one kind that one frame shows into the tracks of that kind.
@@ -25,8 +26,8 @@ struct Gap {
 /// Global nearest neighbour within the gate; misses count where the observer should have seen
 /// something and nothing nearer hides it; two tracks in one place are one.
 ///
-/// `Kind` knows what is special: `Track` (with a TrackBook `book`), predict, gap, hit, begin,
-/// place.
+/// `Kind` knows what is special: `Track` (with a TrackBook `book`), predict, gap, hit, missed
+/// (with what probability the frame would have shown it), begin, place.
 template <class Kind, class List>
 class Turn {
  public:
@@ -41,7 +42,6 @@ class Turn {
         tracks_(tracks),
         candidates_(candidates),
         glance_(scene.glance),
-        hiding_(scene.hiding),
         parameters_(parameters) {}
 
   /// @return how many candidates fitted no track and were not used to begin one
@@ -98,6 +98,10 @@ class Turn {
       const Candidate& candidate = candidates_[row];
       Track& track = tracks_[column];
       const Gap gap = kind_.hit(track, candidate);
+      if (gap.probability < 0.5) {
+        mark_rejected(track.book);
+        continue;
+      }
       write_hit(track.book,
                 {glance_.robot, glance_.exposure, candidate.confidence},
                 gap.squared_distance / gap.degrees,
@@ -105,17 +109,17 @@ class Turn {
     }
   }
 
+  /// The robot saw only others of the kind.
+  void mark_rejected(TrackBook& book) const {
+    book.rejected[static_cast<std::size_t>(glance_.robot) - 1U] = glance_.exposure;
+  }
+
   void count_misses() {
-    const Eigen::Vector2d observer_F = glance_.observer();
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       if (is_hit_[i]) continue;
-      TrackBook& book = tracks_[i].book;
-      if (!candidates_.empty()) {
-        book.rejected[static_cast<std::size_t>(glance_.robot) - 1U] = glance_.exposure;
-      }
-      const double probability =
-          detection_probability(kind_.place(tracks_[i]), observer_F, hiding_, parameters_);
-      write_miss(book, glance_.robot, probability, parameters_);
+      Track& track = tracks_[i];
+      if (!candidates_.empty()) mark_rejected(track.book);
+      write_miss(track.book, glance_.robot, kind_.missed(track), parameters_);
     }
   }
 
@@ -155,7 +159,6 @@ class Turn {
   List& tracks_;
   const CandidateList& candidates_;
   const Glance& glance_;
-  const CandidateList& hiding_;
   const TrackParameters& parameters_;
   std::array<bool, List::kCapacity> is_hit_{};
   Assignment column_of_{};

@@ -115,6 +115,7 @@ bool is_shown(const BallTrack& track,
               HostTime now,
               const Parameters& parameters) {
   return is_listed(track.book, now, parameters.ball) &&
+         ball.existence >= parameters.ball.least_existence &&
          is_placed(ball.cov_p.topLeftCorner<2, 2>(), parameters.ball.max_sigma_published);
 }
 
