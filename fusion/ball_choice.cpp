@@ -42,6 +42,26 @@ double log_odds_proven(const TrackBook& book, const ChoiceParameters& parameters
   return book.proven + for_lasting(book, parameters);
 }
 
+constexpr double kLeast = 1e-30;  // its log is no infinity
+
+/// What was seen at the same time elsewhere is something else; but a ball that was just kicked may
+/// still fit where it was.
+bool is_seen_beside(const TrackBook& before, const TrackBook& after) {
+  constexpr Duration kOverlap = std::chrono::milliseconds(100);
+  return after.born + kOverlap < before.last_hit;
+}
+
+/// Like log_explained, for what none of the possibilities foresees: then the ball may be anywhere
+/// on the field, and as fast as a false one.
+double log_lost(const TrackBook& before,
+                const TrackBook& after,
+                const ChoiceParameters& parameters) {
+  if (is_seen_beside(before, after)) return std::log(kLeast);
+  const double unseen = std::max(0.0, to_seconds(after.time - before.last_hit));
+  const double lost = 1.0 - std::exp(-parameters.lost_rate * unseen);
+  return std::log(std::max(lost * parameters.density_anywhere / parameters.false_density, kLeast));
+}
+
 /// log(sum of exponentials), of two.
 double log_sum(double a, double b) {
   const double most = std::max(a, b);
@@ -57,11 +77,7 @@ double log_odds_found(const BallTrack& ball, const Parameters& parameters) {
 double log_explained(const BallTrack& before,
                      const BallTrack& after,
                      const ChoiceParameters& parameters) {
-  constexpr double kLeast = 1e-30;  // its log is no infinity
-  // What was seen at the same time elsewhere is something else; but a ball that was just kicked may
-  // still fit where it was.
-  constexpr Duration kOverlap = std::chrono::milliseconds(100);
-  if (after.book.born + kOverlap < before.book.last_hit) return std::log(kLeast);
+  if (is_seen_beside(before.book, after.book)) return std::log(kLeast);
   const BallMoments found = moments_of(after.beliefs);
   const MotionCov found_cov = found.cov(kOnFloor, kOnFloor);
   double expected = 0.0;
@@ -70,11 +86,6 @@ double log_explained(const BallTrack& before,
     const MotionCov cov = MotionCov(belief.state.cov(kOnFloor, kOnFloor)) + found_cov;
     expected += belief.probability * std::exp(log_density(gap_F, cov));
   }
-  // None of the possibilities, then: anywhere on the field, and as fast as a false one.
-  const double unseen = std::max(0.0, to_seconds(after.book.time - before.book.last_hit));
-  const double lost = 1.0 - std::exp(-parameters.lost_rate * unseen);
-  const double log_elsewhere =
-      std::log(std::max(lost, kLeast) * parameters.density_anywhere / parameters.false_density);
   MotionCov of_false = found_cov;
   of_false.diagonal().tail<2>().array() += parameters.false_speed * parameters.false_speed;
   const Eigen::Vector2d v_F = found.mean.segment<2>(3);
@@ -82,7 +93,7 @@ double log_explained(const BallTrack& before,
   const double log_false = std::log(parameters.false_density) -
                            0.5 * squared_mahalanobis(v_F, cov_v) -
                            std::log(2.0 * std::numbers::pi * std::sqrt(cov_v.determinant()));
-  return log_sum(std::log(std::max(expected, kLeast)) - log_false, log_elsewhere);
+  return std::log(std::max(expected, kLeast)) - log_false;
 }
 
 BallOrder order_of_choice(const BallList& balls,
@@ -102,7 +113,9 @@ BallOrder order_of_choice(const BallList& balls,
       const BallTrack& old = balls[order[place - 1]];
       const double real = log_odds_proven(old.book, parameters.choice) + hint(old);
       // Odds against the old one being real add to those of its having been kicked there.
-      const double way = log_sum(log_explained(old, balls[i], parameters.choice), -real);
+      const double kicked = log_explained(old, balls[i], parameters.choice);
+      const double lost = log_lost(old.book, balls[i].book, parameters.choice);
+      const double way = log_sum(log_sum(kicked, lost), -real);
       if (challenge + way <= 0.0) break;
       --place;
     }
