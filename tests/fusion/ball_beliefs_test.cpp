@@ -1,6 +1,7 @@
 // tests/fusion/ball_beliefs_test.cpp: possibilities of what became of a ball.
 #include "fusion/ball_beliefs.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,32 @@ TEST(BallBeliefs, StayOneProbabilityHoweverLongNobodySeesTheBall) {
   // It has rolled on for two seconds, less what friction took; a kick may have led anywhere.
   EXPECT_NEAR(moments_of(beliefs).mean.x(), 6.1, 0.7);
   EXPECT_GT(moments_of(beliefs).cov(0, 0), 1.0);
+}
+
+TEST(BallBeliefs, ManyThatHardlyMatterAreKeptAsOneBesideAFullList) {
+  BallBeliefs beliefs;
+  BallBeliefs others;
+  for (int i = 0; i < 10; ++i) {
+    BallBelief belief = rolling_ball()[0];
+    belief.state.mean.x() += i;
+    belief.probability = 1e-3;
+    beliefs.push_back(belief);
+    belief.state.mean.y() += 5.0;
+    belief.probability = 2e-4;
+    others.push_back(belief);
+  }
+  beliefs[0].probability = 1.0;
+
+  add_others(beliefs, others);
+
+  ASSERT_EQ(beliefs.size(), 10U);
+  const auto& added = *std::find_if(beliefs.begin(), beliefs.end(), [](const BallBelief& belief) {
+    return belief.state.mean.y() > 6.0;
+  });
+  ASSERT_GT(added.state.mean.y(), 6.0);
+  EXPECT_NEAR(added.probability, 2e-3, 1e-9);
+  EXPECT_NEAR(added.state.mean.x(), rolling_ball()[0].state.mean.x() + 4.5, 1e-6);
+  EXPECT_GT(added.state.cov(0, 0), 8.0);
 }
 
 /// A robot behind the ball: the ball rolls along x.

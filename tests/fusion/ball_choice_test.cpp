@@ -1,5 +1,7 @@
 // tests/fusion/ball_choice_test.cpp: which ball of now is the ball of before, and which one comes
 // first.
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "fusion/fusion.hpp"
@@ -115,6 +117,42 @@ TEST(BallChoice, WhatOneRobotSeesWhereNoKickCanHaveLedComesSecond) {
   ASSERT_EQ(world.balls.size(), 2U);
   EXPECT_GT(world.balls[0].cov_p(0, 0), 0.25);
   EXPECT_EQ(world.balls[0].track, ball);
+}
+
+/// Two robots lose the ball out of sight though they look where it was; a third one, far away,
+/// insists on something that nobody else can see.
+WorldModel after_a_false_alarm(const Parameters& parameters) {
+  Fusion fusion(parameters, test::plain_field());
+  Eye left(1, 11);
+  Eye right(2, 22);
+  Eye far(4, 44);
+  const auto nothing = [](Eye&) {
+  };
+  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
+  constexpr double kTurn = 0.1;  // s
+  for (double t = 0.0; t < 1.95; t += kTurn) {
+    watch(fusion, left, kLeftOfBall, t, t + kTurn, see_the_ball);
+    watch(fusion, right, kRightOfBall, t, t + kTurn, see_the_ball);
+  }
+  for (double t = 2.0; t < 2.95; t += kTurn) {
+    watch(fusion, left, kLeftOfBall, t, t + kTurn, nothing);
+    watch(fusion, right, kRightOfBall, t, t + kTurn, nothing);
+    if (t < 2.65) continue;
+    watch(fusion, far, far_away, t, t + kTurn, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+  }
+  return fusion.world_at(at_second(3.0));
+}
+
+TEST(BallChoice, ABallThatTheTeamHasSeenDoesNotCeaseToBeByMisses) {
+  Parameters gives_up;
+  gives_up.ball.lasting_log_odds = std::numeric_limits<double>::infinity();
+
+  const WorldModel given_up = after_a_false_alarm(gives_up);
+  const WorldModel world = after_a_false_alarm(Parameters{});
+
+  ASSERT_EQ(given_up.balls.size(), 1U);
+  EXPECT_NEAR(given_up.balls[0].p_FB.x, 7.0, 0.2);
+  for (const WorldBall& ball : world.balls) EXPECT_LT(ball.p_FB.x, 5.0);
 }
 
 }  // namespace
