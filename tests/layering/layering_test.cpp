@@ -51,7 +51,7 @@ const std::vector<Layer> kLayers = {
     {"bench/peers/",    {"geometry/", "fusion/"}},
     {"bench/fuse_score/", {"geometry/", "fusion/", "bench/play/", "bench/peers/"}},
     {"bench/mrclam/",   {"geometry/", "fusion/", "bench/fuse_score/"}},
-    {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/",
+    {"bench/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/", "bench/play/",
                          "client/", "sim/match/", "sim/render/"}},
     {"tests/",          {""}},  // everything
 };
