@@ -67,7 +67,9 @@ std::uint32_t recognise(BallList& balls,
     if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
       book.key = balls[old].book.key;
       book.proven = std::max(book.proven, balls[old].book.proven);
-      balls.erase(old);
+      // It stands where the lost one stood: what came after that does not come before this.
+      balls[old] = balls[i];
+      balls.erase(i);
       return lost;
     }
     const bool is_alone = after.size() == 1;
