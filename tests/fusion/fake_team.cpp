@@ -59,8 +59,9 @@ void FakeTeam::write_frames() {
   for (std::size_t i = 0; i < eyes_.size(); ++i) {
     Eye& eye = eyes_[i];
     eye.look(kStands[i], bus::host_now());
-    if (is_deceived_) eye.see_ball(kOrangeThing);
-    if (!is_deceived_ || i != 1) eye.see_ball(kBall);
+    const bool is_blind_to_the_ball = shown_ == Shown::kBoth && i == 1;
+    if (shown_ != Shown::kBall) eye.see_ball(kOrangeThing);
+    if (shown_ != Shown::kOrangeThing && !is_blind_to_the_ball) eye.see_ball(kBall);
     eye.see_obstacle(kOpponent);
     bus::Sightings sightings;
     sightings.id = eye.frame().id;

@@ -22,6 +22,13 @@ struct HeardWorld {
   HostTime received;
 };
 
+/// What looks like a ball to the robots.
+enum class Shown : std::uint8_t {
+  kBall,
+  kOrangeThing,
+  kBoth,  ///< to two robots; robot 2 sees the orange thing alone
+};
+
 /// Three robots that write Sightings of one ball and one opponent at 30 Hz, in this process, and a
 /// reader of the team's world model.
 class FakeTeam {
@@ -33,8 +40,8 @@ class FakeTeam {
   [[nodiscard]] bool play_until(const std::function<bool()>& is_done,
                                 std::chrono::milliseconds bound);
 
-  /// From now on all see an orange thing as well, and robot 2 that alone.
-  void deceive() { is_deceived_ = true; }
+  /// What looks like a ball from now on.
+  void show(Shown shown) { shown_ = shown; }
 
   /// Gives the operator's word, as the coach station does.
   void hint(std::uint32_t command, const Point<Field>& p_FB);
@@ -64,7 +71,7 @@ class FakeTeam {
   bus::Reader<WorldModel> worlds_;
   bus::Reader<bus::Explanation> explanations_;
   bus::ExplainedHint acknowledged_;
-  bool is_deceived_{false};
+  Shown shown_{Shown::kBall};
   std::vector<Eye> eyes_;
   std::vector<HeardWorld> heard_;
   HostTime next_frame_{};

@@ -15,6 +15,7 @@ using teamsight::test::ChildProcess;
 using teamsight::test::unique_domain;
 using test::FakeTeam;
 using test::ids_of;
+using test::Shown;
 using test::start_fusion;
 
 // The lease of the topic on loopback, and what the hand-over may take on top of it.
@@ -115,8 +116,9 @@ TEST_F(FusionService, ALeaderThatWasStoppedComesBackWithTheSameWorld) {
 
 TEST_F(FusionService, TheNextGoesOnWithTheOperatorsHintWhenTheLeaderIsKilled) {
   constexpr std::uint32_t kCommand = 77;
+  team_.show(Shown::kOrangeThing);
   ASSERT_TRUE(play_until_led_by(team_, 3)) << processes_[2].err();
-  team_.deceive();
+  team_.show(Shown::kBoth);
   ASSERT_TRUE(team_.play_until(
       [&] { return team_.heard().back().model.balls.size() == 2 && !team_.sees_the_ball_first(); },
       seconds(10)));
