@@ -85,6 +85,7 @@ struct Shape {
   Eigen::LLT<BallMatrix> factor;
   double log_determinant{0.0};
 
+  Shape() = default;
   explicit Shape(const BallBelief& belief) : factor(belief.state.cov) {
     log_determinant = 2.0 * BallMatrix(factor.matrixL()).diagonal().array().log().sum();
   }
@@ -122,12 +123,14 @@ void add_probable(BallBeliefs& beliefs, const BallBelief& belief) {
 }
 
 void merge_alike(BallBeliefs& beliefs) {
+  InlineList<Shape, kMaxBallBeliefs> shapes;
+  for (const BallBelief& belief : beliefs) shapes.push_back(Shape(belief));
   for (std::size_t i = 0; i < beliefs.size(); ++i) {
-    const Shape shape(beliefs[i]);
     for (std::size_t j = beliefs.size(); j-- > i + 1;) {
-      if (!is_alike(beliefs[i], shape, beliefs[j], Shape(beliefs[j]))) continue;
+      if (!is_alike(beliefs[i], shapes[i], beliefs[j], shapes[j])) continue;
       beliefs[i] = merged(beliefs[i], beliefs[j]);
       beliefs.erase(j);
+      shapes.erase(j);
     }
   }
 }
