@@ -68,10 +68,11 @@ double squared_mahalanobis(const Eigen::Ref<const Eigen::VectorXd>& difference,
 
 double chi_square_gate(int degrees_of_freedom, double probability) {
   TEAMSIGHT_EXPECT(degrees_of_freedom >= 1 && probability > 0.0 && probability < 1.0);
+  if (degrees_of_freedom == 2) return -2.0 * std::log1p(-probability);
   double low = 0.0;
   double high = degrees_of_freedom;
   while (chi_square_tail(degrees_of_freedom, high) > 1.0 - probability) high *= 2.0;
-  for (int i = 0; i < 60; ++i) {  // by halving: called once per gate
+  for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     (chi_square_tail(degrees_of_freedom, middle) > 1.0 - probability ? low : high) = middle;
   }
