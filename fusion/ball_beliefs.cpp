@@ -86,6 +86,7 @@ struct Shape {
   double log_determinant{0.0};
 
   Shape() = default;
+
   explicit Shape(const BallBelief& belief) : factor(belief.state.cov) {
     log_determinant = 2.0 * BallMatrix(factor.matrixL()).diagonal().array().log().sum();
   }

@@ -29,6 +29,9 @@ class PostureJitter {
   /// The next posture follows from none before: it jumped, or another process speaks.
   void interrupt() { known_ = 0; }
 
+  /// Whether three postures were seen.
+  [[nodiscard]] bool is_measured() const { return expected_.minCoeff() > 0.0; }
+
   /// Of the variances of place and heading, the share that is new in each frame. In [0, 1]; 0
   /// before three postures were seen.
   [[nodiscard]] Eigen::Array2d shares() const;

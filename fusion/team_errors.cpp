@@ -150,6 +150,13 @@ Eigen::Matrix3d TeamErrors::fresh(ErrorPlace place, const PostureEstimate& postu
   return known_[static_cast<std::size_t>(place)].jitter.fresh(posture.cov);
 }
 
+Eigen::Matrix3d TeamErrors::shake(RobotId robot, const PostureEstimate& posture) const {
+  const ErrorPlace place = place_of(robot);
+  const bool is_measured =
+      place != kNoPlace && known_[static_cast<std::size_t>(place)].jitter.is_measured();
+  return is_measured ? fresh(place, posture) : posture.cov;
+}
+
 ErrorVector TeamErrors::mean(ErrorPlace place) const {
   return mean_.segment<kErrorSize>(kErrorSize * place);
 }

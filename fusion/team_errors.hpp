@@ -55,6 +55,10 @@ class TeamErrors {
   /// all that the posture says for a robot that is not remembered.
   [[nodiscard]] Eigen::Matrix3d fresh(ErrorPlace place, const PostureEstimate& posture) const;
 
+  /// Covariance of what this posture's error differs by from that of the robot's last one: all that
+  /// the posture says until it has been measured how much is new.
+  [[nodiscard]] Eigen::Matrix3d shake(RobotId robot, const PostureEstimate& posture) const;
+
   [[nodiscard]] ErrorVector mean(ErrorPlace place) const;
   [[nodiscard]] ErrorMatrix cov(ErrorPlace place) const;
 

@@ -63,6 +63,7 @@ PostureStep kind_of_jump(const Eigen::Vector3d& expected,
 
 PostureStep take_posture(PostureTrack& track,
                          const PostureEstimate& posture,
+                         const Eigen::Matrix3d& cov_shake,
                          HostTime exposure,
                          const TeammateParameters& parameters,
                          double far) {
@@ -82,13 +83,17 @@ PostureStep take_posture(PostureTrack& track,
     start(track, posture, exposure, parameters);
     return step;
   }
-  const Eigen::Matrix<double, 6, 3> gain = factor.solve(next.cov.topRows<3>()).transpose();
+  // No posture is exact, and two in one moment must not make the filter singular.
+  constexpr double kLeastVar = 1e-6;  // m^2, rad^2
+  const Eigen::Matrix3d noise = cov_shake + kLeastVar * Eigen::Matrix3d::Identity();
+  const Eigen::LLT<Eigen::Matrix3d> steady(Eigen::Matrix3d(next.cov.topLeftCorner<3, 3>() + noise));
+  const Eigen::Matrix<double, 6, 3> gain = steady.solve(next.cov.topRows<3>()).transpose();
   next.mean += gain * gap;
   next.mean(2) = wrap_angle(next.mean(2));
   // Joseph's form keeps the covariance positive.
   Matrix6 keep = Matrix6::Identity();
   keep.leftCols<3>() -= gain;
-  const Matrix6 cov = keep * next.cov * keep.transpose() + gain * posture.cov * gain.transpose();
+  const Matrix6 cov = keep * next.cov * keep.transpose() + gain * noise * gain.transpose();
   next.cov = 0.5 * (cov + cov.transpose());
   next.last = posture;
   next.time = exposure;
@@ -118,6 +123,7 @@ CarriedPosture carried_to(const PostureTrack& track,
 PostureStep take_frame(Teammate& teammate,
                        const ObservationId& id,
                        const PostureEstimate& posture,
+                       const Eigen::Matrix3d& cov_shake,
                        HostTime exposure,
                        const Parameters& parameters) {
   PostureStep step = PostureStep::kSteady;
@@ -137,8 +143,8 @@ PostureStep take_frame(Teammate& teammate,
   teammate.status = posture.status;
   teammate.half_log_odds = posture.half_log_odds;
   if (posture.status == PostureStatus::kLost) return step;
-  const PostureStep next =
-      take_posture(teammate.posture, posture, exposure, parameters.teammate, parameters.trust.jump);
+  const PostureStep next = take_posture(
+      teammate.posture, posture, cov_shake, exposure, parameters.teammate, parameters.trust.jump);
   return step == PostureStep::kSteady ? next : step;
 }
 

@@ -17,7 +17,8 @@ namespace teamsight::fusion {
 /// Velocity from successive postures: a Kalman filter over (x, y, theta, vx, vy, omega) in F.
 ///
 /// The robot's own posture filter has already smoothed the postures, so their errors are not
-/// independent: the published posture is the last one carried forward, never a mean of several.
+/// independent: the published posture is the last one carried forward, never a mean of several. The
+/// velocity is disturbed only by what is new in each posture's error; what lasts cancels out.
 struct PostureTrack {
   Eigen::Matrix<double, 6, 1> mean{Eigen::Matrix<double, 6, 1>::Zero()};
   Eigen::Matrix<double, 6, 6> cov{Eigen::Matrix<double, 6, 6>::Identity()};
@@ -36,9 +37,12 @@ enum class PostureStep : std::uint8_t {
 
 /// Takes the next posture in. @pre it is not lost, and not older than the last
 ///
+/// @param cov_shake  of the posture's error, the part that is new since the last posture, see
+///                   TeamErrors::shake
 /// @param far  m: a jump beyond is no correction
 PostureStep take_posture(PostureTrack& track,
                          const PostureEstimate& posture,
+                         const Eigen::Matrix3d& cov_shake,
                          HostTime exposure,
                          const TeammateParameters& parameters,
                          double far = 0.5);
@@ -77,9 +81,12 @@ struct Teammate {
 };
 
 /// Notes that this frame of this robot came, with this posture.
+///
+/// @param cov_shake  see take_posture
 PostureStep take_frame(Teammate& teammate,
                        const ObservationId& id,
                        const PostureEstimate& posture,
+                       const Eigen::Matrix3d& cov_shake,
                        HostTime exposure,
                        const Parameters& parameters);
 

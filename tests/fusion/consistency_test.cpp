@@ -172,7 +172,7 @@ TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {
       posture.X_FR = {body.p_F.x() + normal(random, 0.03),
                       body.p_F.y() + normal(random, 0.03),
                       heading.p_F.x() + normal(random, 0.01)};
-      take_posture(track, posture, now, parameters);
+      take_posture(track, posture, posture.cov, now, parameters);
     }
     body.move(0.05, motion, random);
     heading.move(0.05, turning, random);
