@@ -186,9 +186,10 @@ Quarantine quarantine_at(const State& state,
 void advance(State& state, const Observation& observation, const Setting& setting) {
   const Parameters& parameters = setting.parameters;
   Teammate& observer = find_or_add(state, observation.id.robot);
-  const Eigen::Matrix3d cov_shake = state.errors.shake(observation.id.robot, observation.posture);
-  const PostureStep step = take_frame(
-      observer, observation.id, observation.posture, cov_shake, observation.exposure, parameters);
+  const PostureReport report{observation.posture,
+                             state.errors.shake(observation.id.robot, observation.posture),
+                             observation.exposure};
+  const PostureStep step = take_frame(observer, observation.id, report, parameters);
   note_step(state, observation.id.robot, step, observation.exposure);
   note_errors(state, observation, step);
   if (sees_ball(observation, parameters)) observer.ball_seen = observation.exposure;

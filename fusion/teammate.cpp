@@ -62,17 +62,16 @@ PostureStep kind_of_jump(const Eigen::Vector3d& expected,
 }  // namespace
 
 PostureStep take_posture(PostureTrack& track,
-                         const PostureEstimate& posture,
-                         const Eigen::Matrix3d& cov_shake,
-                         HostTime exposure,
+                         const PostureReport& report,
                          const TeammateParameters& parameters,
                          double far) {
+  const PostureEstimate& posture = report.posture;
   if (track.time == kNever) {
-    start(track, posture, exposure, parameters);
+    start(track, posture, report.exposure, parameters);
     return PostureStep::kSmallJump;
   }
   PostureTrack next = track;
-  predict(next, std::max(0.0, to_seconds(exposure - track.time)), parameters);
+  predict(next, std::max(0.0, to_seconds(report.exposure - track.time)), parameters);
   Eigen::Vector3d gap = posture.X_FR.vector() - next.mean.head<3>();
   gap.z() = wrap_angle(gap.z());
   const Eigen::Matrix3d cov_gap = next.cov.topLeftCorner<3, 3>() + posture.cov;
@@ -80,12 +79,12 @@ PostureStep take_posture(PostureTrack& track,
   const double jump = chi_square_gate(3, parameters.jump_probability);
   if (!(gap.dot(factor.solve(gap)) <= jump)) {
     const PostureStep step = kind_of_jump(next.mean.head<3>(), posture.X_FR, far);
-    start(track, posture, exposure, parameters);
+    start(track, posture, report.exposure, parameters);
     return step;
   }
   // No posture is exact, and two in one moment must not make the filter singular.
   constexpr double kLeastVar = 1e-6;  // m^2, rad^2
-  const Eigen::Matrix3d noise = cov_shake + kLeastVar * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d noise = report.cov_shake + kLeastVar * Eigen::Matrix3d::Identity();
   const Eigen::LLT<Eigen::Matrix3d> steady(Eigen::Matrix3d(next.cov.topLeftCorner<3, 3>() + noise));
   const Eigen::Matrix<double, 6, 3> gain = steady.solve(next.cov.topRows<3>()).transpose();
   next.mean += gain * gap;
@@ -96,7 +95,7 @@ PostureStep take_posture(PostureTrack& track,
   const Matrix6 cov = keep * next.cov * keep.transpose() + gain * noise * gain.transpose();
   next.cov = 0.5 * (cov + cov.transpose());
   next.last = posture;
-  next.time = exposure;
+  next.time = report.exposure;
   track = next;
   return PostureStep::kSteady;
 }
@@ -122,10 +121,9 @@ CarriedPosture carried_to(const PostureTrack& track,
 
 PostureStep take_frame(Teammate& teammate,
                        const ObservationId& id,
-                       const PostureEstimate& posture,
-                       const Eigen::Matrix3d& cov_shake,
-                       HostTime exposure,
+                       const PostureReport& report,
                        const Parameters& parameters) {
+  const HostTime exposure = report.exposure;
   PostureStep step = PostureStep::kSteady;
   if (teammate.boot != id.boot) {
     // One that spoke before and speaks again: two are alive. A new one: a restart.
@@ -140,11 +138,11 @@ PostureStep take_frame(Teammate& teammate,
   }
   teammate.seen = std::max(teammate.seen, exposure);
   teammate.frame = id.sequence;
-  teammate.status = posture.status;
-  teammate.half_log_odds = posture.half_log_odds;
-  if (posture.status == PostureStatus::kLost) return step;
-  const PostureStep next = take_posture(
-      teammate.posture, posture, cov_shake, exposure, parameters.teammate, parameters.trust.jump);
+  teammate.status = report.posture.status;
+  teammate.half_log_odds = report.posture.half_log_odds;
+  if (report.posture.status == PostureStatus::kLost) return step;
+  const PostureStep next =
+      take_posture(teammate.posture, report, parameters.teammate, parameters.trust.jump);
   return step == PostureStep::kSteady ? next : step;
 }
 

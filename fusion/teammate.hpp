@@ -35,15 +35,18 @@ enum class PostureStep : std::uint8_t {
   kNewProcess,
 };
 
+/// A posture as a robot says it.
+struct PostureReport {
+  const PostureEstimate& posture;
+  Eigen::Matrix3d cov_shake;  ///< of its error, what is new since the last; see TeamErrors::shake
+  HostTime exposure;
+};
+
 /// Takes the next posture in. @pre it is not lost, and not older than the last
 ///
-/// @param cov_shake  of the posture's error, the part that is new since the last posture, see
-///                   TeamErrors::shake
 /// @param far  m: a jump beyond is no correction
 PostureStep take_posture(PostureTrack& track,
-                         const PostureEstimate& posture,
-                         const Eigen::Matrix3d& cov_shake,
-                         HostTime exposure,
+                         const PostureReport& report,
                          const TeammateParameters& parameters,
                          double far = 0.5);
 
@@ -81,13 +84,9 @@ struct Teammate {
 };
 
 /// Notes that this frame of this robot came, with this posture.
-///
-/// @param cov_shake  see take_posture
 PostureStep take_frame(Teammate& teammate,
                        const ObservationId& id,
-                       const PostureEstimate& posture,
-                       const Eigen::Matrix3d& cov_shake,
-                       HostTime exposure,
+                       const PostureReport& report,
                        const Parameters& parameters);
 
 /// Whether this posture can carry sightings into F: it is sure, or ambiguous with the robot's own

@@ -148,31 +148,41 @@ TEST(FusionConsistency, ErrorsAndInnovationsFitTheirCovariances) {
   obstacle_innovation.expect_between(1, 0.7, 1.2);
 }
 
-TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {
+/// How postures err when they are carried on for 50 ms.
+///
+/// @param kept  of a posture's error, what is left of it one frame later
+SquaredErrors errors_of_carried(double kept) {
   const TeammateParameters parameters;
   TrackParameters motion;
   motion.acceleration_psd = parameters.acceleration_psd;
   TrackParameters turning;
   turning.acceleration_psd = parameters.angular_acceleration_psd;
+  const Eigen::Vector3d sigma(0.03, 0.03, 0.01);
   SquaredErrors errors;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     Random random(seed);
     Mover body;
     Mover heading;  // only its first axis counts
     heading.p_F.x() = 3.1;
+    Eigen::Vector3d off;
+    for (int axis = 0; axis < 3; ++axis) off(axis) = normal(random, sigma(axis));
     PostureTrack track;
+    PostureJitter jitter;
     HostTime now = at_second(0.0);
-    for (int i = 0; i < 45; ++i) {
+    for (int i = 0; i < 60; ++i) {
       body.move(kFrame, motion, random);
       heading.move(kFrame, turning, random);
       now += from_seconds(kFrame);
+      for (int axis = 0; axis < 3; ++axis) {
+        off(axis) = kept * off(axis) + normal(random, std::sqrt(1.0 - kept * kept) * sigma(axis));
+      }
       PostureEstimate posture;
       posture.status = PostureStatus::kOk;
-      posture.cov = Eigen::Vector3d(9e-4, 9e-4, 1e-4).asDiagonal();
-      posture.X_FR = {body.p_F.x() + normal(random, 0.03),
-                      body.p_F.y() + normal(random, 0.03),
-                      heading.p_F.x() + normal(random, 0.01)};
-      take_posture(track, posture, posture.cov, now, parameters);
+      posture.cov = sigma.cwiseAbs2().asDiagonal();
+      posture.X_FR = {body.p_F.x() + off.x(), body.p_F.y() + off.y(), heading.p_F.x() + off.z()};
+      const Eigen::Matrix3d shake = jitter.is_measured() ? jitter.fresh(posture.cov) : posture.cov;
+      take_posture(track, {posture, shake, now}, parameters);
+      jitter.take(posture.X_FR, posture.cov, now, parameters);
     }
     body.move(0.05, motion, random);
     heading.move(0.05, turning, random);
@@ -182,8 +192,16 @@ TEST(TeammateConsistency, CarriedPosturesFitTheirCovariances) {
                                 angle_difference(carried.X_FR.theta(), heading.p_F.x()));
     errors.add(error, carried.cov);
   }
+  return errors;
+}
 
-  errors.expect_chi_square(3, 0.0);
+TEST(TeammateConsistency, CarriedPosturesThatErrAnewInEachFrameFitTheirCovariances) {
+  errors_of_carried(0.0).expect_chi_square(3, 0.0);
+}
+
+TEST(TeammateConsistency, CarriedPosturesWhoseErrorsLastFitTheirCovariances) {
+  const double for_a_second = std::exp(-kFrame);
+  errors_of_carried(for_a_second).expect_chi_square(3, 0.0);
 }
 
 TEST(ClockOffsetConsistency, JitterAndDriftStayWithinTheirSigma) {

@@ -32,7 +32,7 @@ PostureTrack moving(double vx, double omega, double theta) {
   for (int i = 0; i <= 30; ++i) {
     const double t = i / 30.0;
     take_posture(
-        track, posture_at(vx * t, 0.0, theta + omega * t), kSaidCov, at_second(t), kParameters);
+        track, {posture_at(vx * t, 0.0, theta + omega * t), kSaidCov, at_second(t)}, kParameters);
   }
   return track;
 }
@@ -65,7 +65,7 @@ TEST(PostureTrack, IsTheLastPostureAtItsOwnTime) {
 TEST(PostureTrack, AJumpIsNoVelocity) {
   PostureTrack track = moving(0.0, 0.0, 0.0);
 
-  take_posture(track, posture_at(5.0, 3.0, 1.0), kSaidCov, at_second(1.03), kParameters);
+  take_posture(track, {posture_at(5.0, 3.0, 1.0), kSaidCov, at_second(1.03)}, kParameters);
 
   const auto carried = carried_to(track, at_second(1.03), kParameters);
   EXPECT_NEAR(carried.X_FR.x(), 5.0, 1e-12);
@@ -74,10 +74,10 @@ TEST(PostureTrack, AJumpIsNoVelocity) {
 
 TEST(Teammate, ThatIsLostKeepsItsLastPostureAndSaysSo) {
   Teammate mate;
-  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.0), kAll);
+  take_frame(mate, {1, 7, 1}, {posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.0)}, kAll);
   PostureEstimate lost;
 
-  take_frame(mate, {1, 7, 1}, lost, kSaidCov, at_second(0.1), kAll);
+  take_frame(mate, {1, 7, 1}, {lost, kSaidCov, at_second(0.1)}, kAll);
 
   EXPECT_EQ(mate.status, PostureStatus::kLost);
   EXPECT_EQ(mate.posture.last.X_FR.x(), 1.0);
@@ -86,10 +86,10 @@ TEST(Teammate, ThatIsLostKeepsItsLastPostureAndSaysSo) {
 
 TEST(Teammate, ThatWasRestartedIsNotADuplicate) {
   Teammate mate;
-  take_frame(mate, {1, 7, 1}, posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.0), kAll);
+  take_frame(mate, {1, 7, 1}, {posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.0)}, kAll);
 
   for (int i = 1; i < 5; ++i) {
-    take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.1 * i), kAll);
+    take_frame(mate, {1, 8, 1}, {posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(0.1 * i)}, kAll);
   }
 
   EXPECT_EQ(quarantine_of(mate, at_second(0.5), kParameters), Quarantine::kNone);
@@ -101,14 +101,12 @@ TEST(Teammate, TwoProcessesThatSpeakInTurnAreADuplicateUntilOneStops) {
     const auto boot = static_cast<std::uint32_t>(7 + i % 2);
     take_frame(mate,
                {1, boot, 1},
-               posture_at(1.0 * (i % 2), 2.0, 0.0),
-               kSaidCov,
-               at_second(0.1 * i),
+               {posture_at(1.0 * (i % 2), 2.0, 0.0), kSaidCov, at_second(0.1 * i)},
                kAll);
   }
   EXPECT_EQ(quarantine_of(mate, at_second(0.6), kParameters), Quarantine::kDuplicateId);
 
-  take_frame(mate, {1, 8, 1}, posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(3.0), kAll);
+  take_frame(mate, {1, 8, 1}, {posture_at(1.0, 2.0, 0.0), kSaidCov, at_second(3.0)}, kAll);
 
   EXPECT_EQ(quarantine_of(mate, at_second(3.0), kParameters), Quarantine::kNone);
 }
