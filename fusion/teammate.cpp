@@ -46,6 +46,14 @@ void predict(PostureTrack& track, double dt, const TeammateParameters& parameter
   track.cov = transition * track.cov * transition.transpose() + disturbance;
 }
 
+/// Variances of what the lasting part of a posture's error changes by in `dt`.
+Eigen::Vector3d drift_of(const PostureReport& report,
+                         double dt,
+                         const TeammateParameters& parameters) {
+  const double forgotten = -std::expm1(-2.0 * dt / to_seconds(parameters.posture_memory));
+  return forgotten * (report.posture.cov - report.cov_shake).diagonal().cwiseMax(0.0);
+}
+
 PostureStep kind_of_jump(const Eigen::Vector3d& expected,
                          const Pose<Field, Robot>& found,
                          double far) {
@@ -71,7 +79,9 @@ PostureStep take_posture(PostureTrack& track,
     return PostureStep::kSmallJump;
   }
   PostureTrack next = track;
-  predict(next, std::max(0.0, to_seconds(report.exposure - track.time)), parameters);
+  const double dt = std::max(0.0, to_seconds(report.exposure - track.time));
+  predict(next, dt, parameters);
+  next.cov.diagonal().head<3>() += drift_of(report, dt, parameters);
   Eigen::Vector3d gap = posture.X_FR.vector() - next.mean.head<3>();
   gap.z() = wrap_angle(gap.z());
   const Eigen::Matrix3d cov_gap = next.cov.topLeftCorner<3, 3>() + posture.cov;

@@ -18,7 +18,7 @@ namespace teamsight::fusion {
 ///
 /// The robot's own posture filter has already smoothed the postures, so their errors are not
 /// independent: the published posture is the last one carried forward, never a mean of several. The
-/// velocity is disturbed only by what is new in each posture's error; what lasts cancels out.
+/// velocity is disturbed by what is new in each posture's error, and by what the rest changes.
 struct PostureTrack {
   Eigen::Matrix<double, 6, 1> mean{Eigen::Matrix<double, 6, 1>::Zero()};
   Eigen::Matrix<double, 6, 6> cov{Eigen::Matrix<double, 6, 6>::Identity()};
