@@ -46,12 +46,16 @@ void predict(PostureTrack& track, double dt, const TeammateParameters& parameter
   track.cov = transition * track.cov * transition.transpose() + disturbance;
 }
 
-/// Variances of what the lasting part of a posture's error changes by in `dt`.
-Eigen::Vector3d drift_of(const PostureReport& report,
+/// Variances of what the lasting part of a posture's error changes by in `dt`: it fades, and a
+/// robot that has become surer has corrected itself by so much.
+Eigen::Vector3d drift_of(const PostureEstimate& last,
+                         const PostureReport& report,
                          double dt,
                          const TeammateParameters& parameters) {
+  const Eigen::Matrix3d& cov = report.posture.cov;
   const double forgotten = -std::expm1(-2.0 * dt / to_seconds(parameters.posture_memory));
-  return forgotten * (report.posture.cov - report.cov_shake).diagonal().cwiseMax(0.0);
+  return forgotten * (cov - report.cov_shake).diagonal().cwiseMax(0.0) +
+         (last.cov - cov).diagonal().cwiseMax(0.0);
 }
 
 PostureStep kind_of_jump(const Eigen::Vector3d& expected,
@@ -81,13 +85,13 @@ PostureStep take_posture(PostureTrack& track,
   PostureTrack next = track;
   const double dt = std::max(0.0, to_seconds(report.exposure - track.time));
   predict(next, dt, parameters);
-  next.cov.diagonal().head<3>() += drift_of(report, dt, parameters);
+  next.cov.diagonal().head<3>() += drift_of(track.last, report, dt, parameters);
   Eigen::Vector3d gap = posture.X_FR.vector() - next.mean.head<3>();
   gap.z() = wrap_angle(gap.z());
-  const Eigen::Matrix3d cov_gap = next.cov.topLeftCorner<3, 3>() + posture.cov;
-  const Eigen::LLT<Eigen::Matrix3d> factor(cov_gap);
+  // A jump is what neither posture's error explains.
+  const Eigen::Matrix3d cov_jump = next.cov.topLeftCorner<3, 3>() + track.last.cov + posture.cov;
   const double jump = chi_square_gate(3, parameters.jump_probability);
-  if (!(gap.dot(factor.solve(gap)) <= jump)) {
+  if (!(squared_mahalanobis(gap, cov_jump) <= jump)) {
     const PostureStep step = kind_of_jump(next.mean.head<3>(), posture.X_FR, far);
     start(track, posture, report.exposure, parameters);
     return step;
