@@ -92,6 +92,18 @@ void gather_evidence(State& state,
   state.trust.judge(observation.exposure, parameters);
 }
 
+/// Takes back what robots said while they stood elsewhere than they said.
+void take_back_words(State& state, HostTime exposure, const Parameters& parameters) {
+  for (const Teammate& mate : state.teammates) {
+    const Quarantine verdict = state.trust.verdict(mate.robot, exposure, parameters.trust);
+    if (verdict != Quarantine::kMirrored && verdict != Quarantine::kKidnapped) continue;
+    for (BallTrack& ball : state.balls) take_back(ball.book, mate.robot, parameters.ball);
+    for (Track& obstacle : state.obstacles) {
+      take_back(obstacle.book, mate.robot, parameters.obstacle);
+    }
+  }
+}
+
 CandidateList without(const CandidateList& candidates, const MateSightings& mates) {
   CandidateList others;
   for (std::size_t row = 0; row < candidates.size(); ++row) {
@@ -197,6 +209,7 @@ void advance(State& state, const Observation& observation, const Setting& settin
       quarantine_of(observer, observation.exposure, parameters.teammate) == Quarantine::kNone;
   const Sighted sighted = has_posture ? sighted_in(observation, state.errors, setting) : Sighted{};
   if (has_posture) gather_evidence(state, observation, sighted, setting);
+  take_back_words(state, observation.exposure, parameters);
   if (quarantine_at(state, observer, observation.exposure, parameters) != Quarantine::kNone) {
     ++observer.rejected_posture;
     return;

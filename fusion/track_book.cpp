@@ -61,6 +61,17 @@ void write_miss(TrackBook& book,
   vote = std::max(vote + std::log1p(-probability), -parameters.most_vote);
 }
 
+void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters) {
+  const std::size_t index = index_of(robot);
+  if (book.supported[index] == kNever) return;
+  book.supported[index] = kNever;
+  book.votes[index] = std::min(book.votes[index], 0.0);
+  const auto others = std::count_if(book.supported.begin(),
+                                    book.supported.end(),
+                                    [](HostTime supported) { return supported != kNever; });
+  book.proven = std::min(book.proven, static_cast<double>(others) * parameters.most_vote);
+}
+
 double existence_at(const TrackBook& book, HostTime now, const TrackParameters& parameters) {
   const double unseen = std::max(0.0, to_seconds(now - book.last_hit));
   // Things leave: half of those that nobody sees are gone after half the time to forget them.

@@ -65,6 +65,10 @@ void write_miss(TrackBook& book,
                 double probability,
                 const TrackParameters& parameters);
 
+/// The robot is found to stand elsewhere than it says: nothing that it saw speaks for this track,
+/// and it is worth what the others can have vouched for. Done twice, it is done once.
+void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters);
+
 /// Probability that the track's thing is there at `now`.
 [[nodiscard]] double existence_at(const TrackBook& book,
                                   HostTime now,

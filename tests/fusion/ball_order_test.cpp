@@ -80,6 +80,28 @@ TEST(OrderOfChoice, AnUnseenKickLetsTheNewBallGoFirstAndWithoutOneTheOldStays) {
   EXPECT_EQ(first(), 1U);
 }
 
+TEST(OrderOfChoice, ABallOfRobotsThatAreFoundElsewhereGoesBehindTheOthersBall) {
+  BallList balls;
+  balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
+  balls.push_back(ball_at(4.0, 0.0, 1.0, 2.0));
+  for (const RobotId liar : {RobotId{1}, RobotId{2}}) {
+    for (int i = 0; i < 3; ++i) {
+      write_hit(balls[0].book, {liar, at_second(2.0), 0.9}, 1.0, kParameters.ball);
+    }
+  }
+  for (const RobotId sound : {RobotId{3}, RobotId{4}}) {
+    write_hit(balls[1].book, {sound, at_second(2.0), 0.9}, 1.0, kParameters.ball);
+  }
+  const auto first = [&]() {
+    return order_of_choice(balls, HintedBall{}, at_second(2.0), kParameters)[0];
+  };
+
+  EXPECT_EQ(first(), 0U);
+  take_back(balls[0].book, 1, kParameters.ball);
+  take_back(balls[0].book, 2, kParameters.ball);
+  EXPECT_EQ(first(), 1U);
+}
+
 TEST(OrderOfChoice, LeavesOutWhatIsNotConfirmed) {
   BallList balls;
   balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
