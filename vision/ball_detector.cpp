@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "vision/camera_model.hpp"
@@ -32,6 +33,15 @@ BallColour colour_name(double u, double v) {
 
 bool is_in_rings(const Mask& mask, double radius_px) {
   return radius_px >= mask.inner_radius_px && radius_px <= mask.outer_radius_px;
+}
+
+// The first sample from `i` on that has the ball's colour; `end` if there is none before it.
+std::size_t next_of_ball(std::span<const ColourClass> classes, std::size_t i, std::size_t end) {
+  const std::span<const ColourClass> rest = classes.subspan(i, end - i);
+  const void* found =
+      std::memchr(rest.data(), static_cast<std::uint8_t>(ColourClass::kBall), rest.size());
+  if (found == nullptr) return end;
+  return static_cast<std::size_t>(static_cast<const ColourClass*>(found) - classes.data());
 }
 
 }  // namespace
@@ -166,9 +176,10 @@ void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) 
   const auto taps = frame.lines.taps(range);
   const auto classes = frame.scan.classes(range);
   const std::size_t end = std::min(frame.hull.end(radial_line) + kBehind, taps.size() - 1);
-  for (std::size_t i = 0; i < end; ++i) {
+  for (std::size_t i = next_of_ball(classes, 0, end); i < end;
+       i = next_of_ball(classes, i + 1, end)) {
     // Two in a row: single pixels of noise are not worth a search.
-    if (classes[i] != ColourClass::kBall || classes[i + 1] != ColourClass::kBall) continue;
+    if (classes[i + 1] != ColourClass::kBall) continue;
     const std::size_t pixel = taps[i].nearest(frame.pixels.width());
     if (visited_[pixel] == frame_ || blobs_.size() == kMostBlobs) continue;
     const BallBlob blob = grow(frame, pixel);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <type_traits>
 
 #ifdef __SSE2__
@@ -68,6 +69,21 @@ inline void store_bytes(const FourInts& lanes, Byte* to) {
   const std::int32_t packed = lanes[0] | lanes[1] << 8 | lanes[2] << 16 | lanes[3] << 24;
 #endif
   std::memcpy(static_cast<void*>(to), &packed, sizeof(packed));
+}
+
+/// How many bytes from the first on have this value, in whole eights.
+template <class Byte>
+[[nodiscard]] inline std::size_t leading_eights(std::span<const Byte> bytes, Byte value) {
+  static_assert(sizeof(Byte) == 1);
+  constexpr std::size_t kEight = sizeof(std::uint64_t);
+  const std::uint64_t all = 0x0101010101010101 * static_cast<std::uint64_t>(value);
+  std::size_t count = 0;
+  for (; count + kEight <= bytes.size(); count += kEight) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, &bytes[count], kEight);
+    if (eight != all) break;
+  }
+  return count;
 }
 
 [[nodiscard]] inline FourFloats to_floats(const FourInts& lanes) {

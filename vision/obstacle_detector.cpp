@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "geometry/angle.hpp"
+#include "vision/lanes.hpp"
 
 namespace teamsight::vision {
 
@@ -122,13 +123,18 @@ Foot ObstacleDetector::foot_of(const RadialScan& scan,
   };
   Foot foot;
   std::size_t last_floor = 0;  // the line begins on the own body's edge
-  const std::size_t last = std::min(carpet_end + kReach, line.size());
+  // So near to the line's end too few samples are left to decide what stands there.
+  const std::size_t last =
+      std::min(carpet_end + kReach, line.size() - std::min(kFewestInRun - 1, line.size()));
   std::size_t end = carpet_end > 0 ? carpet_end - 1 : 0;
   foot.carpet_end = place(end);
   for (std::size_t i = 0; i < last; ++i) {
+    const std::size_t carpet = leading_eights(surfaces.subspan(i), Surface::kCarpet);
+    i += carpet;
+    if (i >= last) break;
+    if (carpet > 0) last_floor = i - 1;
     if (is_floor(surfaces[i])) last_floor = i;
     const std::size_t run = runs_[range.first + i];
-    if (run < kFewestInRun) break;
     if (!is_standing(surfaces[i]) || share(surfaces, i, i + run, is_standing) < kFilled) continue;
     foot.stands = i - last_floor <= kContact;
     if (foot.stands) end = dark_start(scan, range, i);

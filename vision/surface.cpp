@@ -24,6 +24,7 @@ constexpr float kSheen = 1.2F;        // and as bright a one
 constexpr float kForget = 0.12F;      // of the running level, per sample
 constexpr float kLeastRise = 6.0F;    // grey levels of paint over carpet
 constexpr float kSaturated = 255.0F;  // grey levels
+constexpr std::uint32_t kAllLanes = (1U << kLanes) - 1;
 
 bool is_shirt_colour(ColourClass colour) {
   return colour == ColourClass::kRed || colour == ColourClass::kBlue ||
@@ -185,12 +186,18 @@ void judge_surfaces(const ReadSamples& samples,
                    samples.chromas.size() == n && levels.size() == n);
   std::size_t i = 0;
   for (; i + kLanes <= n; i += kLanes) {
-    store_bytes(surfaces_of(load_bytes(&samples.classes[i]),
-                            load_lanes<FourFloats>(&samples.luminance[i]),
-                            to_floats(load_bytes(&samples.chromas[i])),
-                            load_lanes<FourFloats>(&levels[i]),
-                            saturation),
-                &surfaces[i]);
+    const FourInts colours = load_bytes(&samples.classes[i]);
+    const auto y = load_lanes<FourFloats>(&samples.luminance[i]);
+    const auto carpet = load_lanes<FourFloats>(&levels[i]);
+    const FourInts is_lit = y >= kDark * carpet;
+    const FourInts is_green = colours == static_cast<std::int32_t>(ColourClass::kGreen);
+    // Most of a picture is carpet, which no other question can make anything else.
+    if (bits_of(is_lit & is_green) == kAllLanes) {
+      store_bytes(FourInts{} + static_cast<std::int32_t>(Surface::kCarpet), &surfaces[i]);
+      continue;
+    }
+    const FourFloats chroma = to_floats(load_bytes(&samples.chromas[i]));
+    store_bytes(surfaces_of(colours, y, chroma, carpet, saturation), &surfaces[i]);
   }
   for (; i < n; ++i) {
     const auto chroma = static_cast<float>(samples.chromas[i]);
