@@ -144,15 +144,11 @@ std::size_t RadialScan::find_carpet_end(const ScanRange& range) const {
   std::size_t in_row = 0;
   std::size_t bare = 0;  // samples since the carpet that are neither paint nor ball
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (in_row >= kRealCarpet) {
-      // Most of a line is carpet that goes on.
-      i += leading_eights(surfaces.subspan(i), Surface::kCarpet);
-      end = i;
-      if (i == surfaces.size()) break;
-    }
     in_row = surfaces[i] == Surface::kCarpet ? in_row + 1 : 0;
     if (surfaces[i] != Surface::kPaint && surfaces[i] != Surface::kBall) ++bare;
     if (in_row >= kRealCarpet) {
+      // Most of a line is carpet that goes on.
+      i += leading_eights(surfaces.subspan(i + 1), Surface::kCarpet);
       end = i + 1;
       bare = 0;
     }
