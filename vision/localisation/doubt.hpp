@@ -26,5 +26,6 @@ inline constexpr double kSureHalf = 2.2;   ///< log-odds: nine to one
 inline constexpr double kOkSigma = 0.3;    ///< m; more is not ok
 inline constexpr double kLostSigma = 1.5;  ///< m; more is lost
 inline constexpr double kFastest = 4.0;    ///< m/s, of a robot pushed or slipping
+inline constexpr double kNearReach = 0.3;  ///< m; a robot may always have been pushed that far
 
 }  // namespace teamsight::vision

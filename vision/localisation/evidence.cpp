@@ -19,7 +19,6 @@ constexpr Duration kOldAnswer = std::chrono::milliseconds(600);
 constexpr Duration kCompassTime = std::chrono::seconds(1);  // over which its errors are alike
 constexpr double kSamePlace = 0.3;      // m, of a search's answer and a hypothesis
 constexpr double kSameHeading = 0.2;    // rad
-constexpr double kNearReach = 0.3;      // m; a robot may always have been pushed that far
 constexpr double kMostUnlikely = -3.0;  // of a jump, in log
 constexpr double kGoalShare = 0.1;      // of a frame's goals: frames are alike
 constexpr double kMostTeamOdds = 10.0;
@@ -104,13 +103,28 @@ Hypothesis Localiser::standing_at(LocalisationState& state,
   return hypothesis;
 }
 
+double Localiser::reach_of_a_push(const LocalisationState& state, HostTime now) const {
+  return kNearReach + kFastest * std::clamp(to_seconds(now - state.last_fix), 0.0, 10.0);
+}
+
+void Localiser::keep_half(const LocalisationState& state,
+                          Hypothesis& one,
+                          const PostureFit& fit,
+                          HostTime exposure) const {
+  // Of a place that was named and never seen, a surprise says how well it was named.
+  if (!symmetric_ || state.last_fix == HostTime{}) return;
+  const MotionPrior expected{
+      .X_FR = one.X_FR, .cov = one.cov_pose() + fit.cov, .half_log_odds = one.half_log_odds};
+  one.half_log_odds =
+      half_log_odds_after_jump(fit.X_FR, expected, reach_of_a_push(state, exposure), map_.field());
+}
+
 void Localiser::join(const LocalisationState& state,
                      Hypothesis& found,
                      const Belief& before) const {
   const Point<Field>& centre = map_.field().centre;
   const Hypothesis& best = before.places[0];
-  const double blind = std::clamp(to_seconds(before.at - state.last_fix), 0.0, 10.0);
-  const double reach = kNearReach + kFastest * blind;
+  const double reach = reach_of_a_push(state, before.at);
   MotionPrior expected{.X_FR = best.X_FR, .half_log_odds = best.half_log_odds};
   expected.cov = best.cov_pose() + found.cov_pose();
   found.half_log_odds = symmetric_

@@ -43,11 +43,10 @@ struct GoalBearing {
                                               const FieldModel& field,
                                               std::span<const GoalBearing> goals);
 
-/// The same for a robot that was not where it was expected, so that only a search of the whole
-/// field found it at `X_FR`: it went on as expected, or something pushed it, or it was carried to
-/// anywhere on the carpet. Nothing tells beforehand which of the three, so they count alike, each
-/// by its density there. What was carried may stand on either half: near 0 where only that
-/// explains the place.
+/// The same for a robot that was not where it was expected, and is found at `X_FR`: it went on as
+/// expected, or something pushed it, or it was carried to anywhere on the carpet. Nothing tells
+/// beforehand which of the three, so they count alike, each by its density there. What was carried
+/// may stand on either half: near 0 where only that explains the place.
 ///
 /// @pre expected.X_FR is there
 /// @param expected  where it would be if it had gone on as expected; its covariance holds the

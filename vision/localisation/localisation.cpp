@@ -175,6 +175,7 @@ void Localiser::watch_slip(LocalisationState& state,
   const bool was_slipping = memory.exposure <= state.slip_until;
   notice_slip(state, *fix, memory.exposure);
   if (was_slipping || memory.exposure > state.slip_until) return;
+  keep_half(state, belief.places[0], fix->fit, memory.exposure);
   for (Hypothesis& one : belief.all()) {
     widen(one, innovation_of(one, fix->fit.X_FR, fix->fit.cov).gap);
   }
@@ -182,10 +183,14 @@ void Localiser::watch_slip(LocalisationState& state,
 
 std::optional<Eigen::Vector3d> Localiser::take_fix(const LocalisationState& state,
                                                    Hypothesis& one,
-                                                   const PostureFit& fit) const {
+                                                   const PostureFit& fit,
+                                                   HostTime exposure) const {
   const Innovation innovation = innovation_of(one, fit.X_FR, fit.cov);
   const bool is_surprise = innovation.nis > kGate;
-  if (is_surprise) widen(one, innovation.gap);
+  if (is_surprise) {
+    keep_half(state, one, fit, exposure);
+    widen(one, innovation.gap);
+  }
   correct(one, fit.X_FR, independent_part(fit, state.correlation));
   if (!is_surprise) return std::nullopt;
   return turned(one.X_FR.rotation()).transpose() * innovation.gap;
@@ -200,7 +205,7 @@ void Localiser::correct_best(LocalisationState& state,
     doubt(state, memory.exposure);
     return;
   }
-  if (const auto gap = take_fix(state, best, fix->fit)) {
+  if (const auto gap = take_fix(state, best, fix->fit, memory.exposure)) {
     ++state.counts.surprises;
     doubt(state, memory.exposure);
     state.is_rivalled = true;
@@ -220,7 +225,7 @@ void Localiser::correct_all(LocalisationState& state,
   for (Hypothesis& one : belief.all().subspan(1)) {
     const PostureFix* fix = fix_of(memory, one.id);
     if (fix == nullptr || !supports(state, fix->fit, memory.points)) continue;
-    take_fix(state, one, fix->fit);
+    take_fix(state, one, fix->fit, memory.exposure);
   }
   if (belief.places[0].id != best_before) ++state.counts.jumps;
   const PostureFix* fix = fix_of(memory, belief.places[0].id);

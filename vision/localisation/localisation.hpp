@@ -205,7 +205,8 @@ class Localiser {
   /// way
   std::optional<Eigen::Vector3d> take_fix(const LocalisationState& state,
                                           Hypothesis& one,
-                                          const PostureFit& fit) const;
+                                          const PostureFit& fit,
+                                          HostTime exposure) const;
   void correct_best(LocalisationState& state,
                     Hypothesis& best,
                     const RememberedFrame& memory) const;
@@ -219,6 +220,13 @@ class Localiser {
   [[nodiscard]] Hypothesis standing_at(LocalisationState& state,
                                        const Pose<Field, Robot>& X_FR,
                                        const Eigen::Matrix3d& cov) const;
+  /// How far a push since the last fix can have moved and turned the robot; m and rad.
+  [[nodiscard]] double reach_of_a_push(const LocalisationState& state, HostTime now) const;
+  /// What a fit that surprises leaves of a hypothesis' half.
+  void keep_half(const LocalisationState& state,
+                 Hypothesis& one,
+                 const PostureFit& fit,
+                 HostTime exposure) const;
   /// Weight and half of a place that a search found, by what was believed at that moment.
   void join(const LocalisationState& state, Hypothesis& found, const Belief& before) const;
   /// @param exposure  of the search's frame; the hypothesis is one at `before.at`

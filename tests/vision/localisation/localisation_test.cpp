@@ -112,6 +112,35 @@ TEST(Localisation, IsNotSureOfItsHalfWhereItWasCarriedBesideItsMirrorImage) {
   EXPECT_LT(ride.miss(told, false), 0.05);
 }
 
+// Stands, is moved within a frame to where no search is needed to find it, and is seen for a
+// second.
+Located after_a_step_to(Ride& ride, const Pose<Field, Robot>& X_FR) {
+  ride.drive().kidnap({-2.2, 1.8, -1.4});
+  ride.place_at_truth();
+  ride_on(ride, 30);
+  ride.drive().kidnap(X_FR);
+  return ride_on(ride, 30);
+}
+
+TEST(Localisation, IsNotSureOfItsHalfWhereAFitFollowedFurtherThanAPush) {
+  Ride ride(league_field(), {}, standing(), 19);
+
+  const Located located = after_a_step_to(ride, mirrored(Pose<Field, Robot>(-3.0, 1.2, -1.4)));
+
+  EXPECT_EQ(ride.state().counts.jumps, 0U);
+  EXPECT_LT(ride.miss(located, true), 0.05);
+  EXPECT_EQ(located.posture.status, PostureStatus::kAmbiguous);
+}
+
+TEST(Localisation, KeepsItsHalfThroughAPush) {
+  Ride ride(league_field(), {}, standing(), 19);
+
+  const Located located = after_a_step_to(ride, {-2.45, 1.6, -1.3});
+
+  EXPECT_LT(ride.miss(located, false), 0.05);
+  EXPECT_EQ(located.posture.status, PostureStatus::kOk);
+}
+
 TEST(Localisation, NoticesSlippingWheels) {
   locate_score::DriveParameters drive;
   drive.slips_per_second = 0.5;
