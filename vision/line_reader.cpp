@@ -106,6 +106,25 @@ FourFloats interpolated(const FourWords& above, const FourWords& under, const Fo
   return (static_cast<float>(kWhole) * top + (bottom - top) * below) * 0x1p-16F;
 }
 
+/// Of four taps: their corners, and how far right (lowest byte) and below (next) of them they are.
+struct FourTaps {
+  explicit FourTaps(const SampleTap* taps) {
+    const auto first = load_lanes<FourWords>(taps);
+    const auto second = load_lanes<FourWords>(taps + 2);
+    corners = __builtin_shufflevector(first, second, 0, 2, 4, 6);
+    within = __builtin_shufflevector(first, second, 1, 3, 5, 7);
+  }
+
+  // As SampleTap::nearest: from the middle on, the right and the lower neighbour.
+  [[nodiscard]] FourWords nearest(std::uint32_t width) const {
+    const FourWords is_lower = 0U - (within >> 15U & 1U);
+    return corners + (within >> 7U & 1U) + (is_lower & width);
+  }
+
+  FourWords corners;
+  FourWords within;
+};
+
 /// Writes u and v of four places.
 void store_chroma(const FourInts& u, const FourInts& v, Chroma* to) {
   static_assert(sizeof(Chroma) == 2);
@@ -120,11 +139,10 @@ void read_four(const Format& format, std::size_t width, const SampleTap* taps, f
                      format.word(taps[2].corner + row),
                      format.word(taps[3].corner + row)};
   };
-  const auto first = load_lanes<FourWords>(taps);
-  const auto second = load_lanes<FourWords>(taps + 2);
-  const FourWords within = __builtin_shufflevector(first, second, 1, 3, 5, 7);
-  store_lanes(interpolated(Format::luminances(words(0)), Format::luminances(words(width)), within),
-              luminance);
+  store_lanes(
+      interpolated(
+          Format::luminances(words(0)), Format::luminances(words(width)), FourTaps(taps).within),
+      luminance);
 }
 
 template <class Format>
@@ -155,7 +173,17 @@ void read_chroma(const Format& format,
                  std::size_t width,
                  std::span<const SampleTap> taps,
                  std::span<std::uint32_t> chroma) {
-  for (std::size_t i = 0; i < taps.size(); ++i) chroma[i] = format.chroma(taps[i].nearest(width));
+  const std::size_t n = taps.size();
+  std::size_t i = 0;
+  for (; i + kLanes <= n; i += kLanes) {
+    const FourWords pixels = FourTaps(&taps[i]).nearest(static_cast<std::uint32_t>(width));
+    store_lanes(FourWords{format.chroma(pixels[0]),
+                          format.chroma(pixels[1]),
+                          format.chroma(pixels[2]),
+                          format.chroma(pixels[3])},
+                &chroma[i]);
+  }
+  for (; i < n; ++i) chroma[i] = format.chroma(taps[i].nearest(width));
 }
 
 void read_chroma(const PixelReader& pixels,
