@@ -190,11 +190,13 @@ class ShakingTeam {
   int turn_{0};
 };
 
-TEST(PostureJitter, MakesNoSecondBall) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    EXPECT_EQ(ShakingTeam(seed).balls_listed(6.0).size(), 1U) << "seed " << seed;
-  }
+class ShakingTeams : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(ShakingTeams, SeeOneBall) {
+  EXPECT_EQ(ShakingTeam(GetParam()).balls_listed(6.0).size(), 1U);
 }
+
+INSTANTIATE_TEST_SUITE_P(PostureJitter, ShakingTeams, testing::Range<std::uint64_t>(1, 9));
 
 }  // namespace
 }  // namespace teamsight::fusion
