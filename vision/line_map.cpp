@@ -27,6 +27,23 @@ bool stands_on(const Eigen::Vector2d& p_F, const Foot& foot) {
   return (foot.from + std::clamp(share, 0.0, 1.0) * way - p_F).norm() < kOnFoot;
 }
 
+Eigen::Vector2d unit_at(double direction) {
+  return {std::cos(direction), std::sin(direction)};
+}
+
+// Beyond an end: away from whichever is nearer.
+NearestLine nearest_end(const std::array<Eigen::Vector2d, 2>& ends, const Eigen::Vector2d& p_F) {
+  const bool is_first = (p_F - ends[0]).squaredNorm() <= (p_F - ends[1]).squaredNorm();
+  NearestLine result;
+  result.closest_F = ends.at(is_first ? 0 : 1);
+  result.is_end = true;
+  const Eigen::Vector2d offset = p_F - result.closest_F;
+  result.distance = offset.norm();
+  result.normal_F =
+      result.distance > 0.0 ? Eigen::Vector2d(offset / result.distance) : Eigen::Vector2d::UnitX();
+  return result;
+}
+
 // The feet of walls and of the sides of goals.
 std::vector<Foot> feet_of(const FieldModel& field) {
   std::vector<Foot> feet;
@@ -63,11 +80,24 @@ LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part
                              0.5 * field.width + field.surround + kMargin};
   for (const FieldLine& line : painted_.lines) {
     const Eigen::Vector2d along = line.to.vector() - line.from.vector();
-    paint_.push_back({line.from.vector(), along.normalized(), along.norm(), true, false});
+    const double length = along.norm();
+    paint_.push_back({{line.from.vector(), line.to.vector()},
+                      Eigen::Vector2d::Zero(),
+                      along / length,
+                      length,
+                      0.0,
+                      true});
   }
   for (const FieldArc& arc : painted_.arcs) {
+    const Eigen::Vector2d centre = arc.centre.vector();
     const bool is_circle = arc.sweep >= 2.0 * std::numbers::pi - 1e-9;
-    paint_.push_back({arc.centre.vector(), Eigen::Vector2d::UnitX(), arc.radius, false, is_circle});
+    paint_.push_back({{centre + arc.radius * unit_at(arc.start),
+                       centre + arc.radius * unit_at(arc.start + arc.sweep)},
+                      centre,
+                      unit_at(arc.start + 0.5 * arc.sweep),
+                      arc.radius,
+                      is_circle ? -2.0 : std::cos(0.5 * arc.sweep),
+                      false});
   }
   corner_F_ = field.centre.vector() - half;
   columns_ = static_cast<int>(std::ceil(2.0 * half.x() / kCell));
@@ -90,29 +120,34 @@ std::size_t LineMap::cell_of(const Eigen::Vector2d& p_F) const {
   return row * static_cast<std::size_t>(columns_) + column;
 }
 
-NearestLine LineMap::nearest(const Eigen::Vector2d& p_F) const {
-  const std::uint16_t primitive = primitive_[cell_of(p_F)];
-  const Paint& paint = paint_[primitive];
-  const Eigen::Vector2d offset = p_F - paint.start;
+// By hand: this runs for every point in every step of a fit.
+NearestLine LineMap::nearest_on(const Paint& paint, const Eigen::Vector2d& p_F) {
   NearestLine result;
-  result.primitive = primitive;
   if (paint.is_segment) {
-    // The common case by hand: this runs for every point in every step of a fit.
+    const Eigen::Vector2d offset = p_F - paint.ends[0];
     const double along = offset.dot(paint.along);
-    if (along >= 0.0 && along <= paint.length) {
-      result.normal_F = {-paint.along.y(), paint.along.x()};
-      result.closest_F = paint.start + along * paint.along;
-      result.distance = offset.dot(result.normal_F);
-      return result;
-    }
-  } else if (paint.is_circle) {
-    const double range = offset.norm();
-    result.normal_F = range > 0.0 ? Eigen::Vector2d(offset / range) : Eigen::Vector2d::UnitX();
-    result.closest_F = paint.start + paint.length * result.normal_F;
-    result.distance = range - paint.length;
+    if (along < 0.0 || along > paint.length) return nearest_end(paint.ends, p_F);
+    result.normal_F = {-paint.along.y(), paint.along.x()};
+    result.closest_F = paint.ends[0] + along * paint.along;
+    result.distance = offset.dot(result.normal_F);
     return result;
   }
-  return line_at(painted_, primitive, Point<Field>::from(p_F));
+  const Eigen::Vector2d offset = p_F - paint.centre;
+  const double range = offset.norm();
+  if (offset.dot(paint.along) < range * paint.cos_half_sweep) {
+    return nearest_end(paint.ends, p_F);
+  }
+  result.normal_F = range > 0.0 ? Eigen::Vector2d(offset / range) : paint.along;
+  result.closest_F = paint.centre + paint.length * result.normal_F;
+  result.distance = range - paint.length;
+  return result;
+}
+
+NearestLine LineMap::nearest(const Eigen::Vector2d& p_F) const {
+  const std::uint16_t primitive = primitive_[cell_of(p_F)];
+  NearestLine result = nearest_on(paint_[primitive], p_F);
+  result.primitive = primitive;
+  return result;
 }
 
 }  // namespace teamsight::vision

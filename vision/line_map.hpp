@@ -1,6 +1,7 @@
 // vision/line_map.hpp: which paint is nearest, looked up instead of searched.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,15 +32,17 @@ class LineMap {
   [[nodiscard]] const FieldModel& field() const { return field_; }
 
  private:
-  /// A primitive as `nearest` needs it: a segment from `start` along `along`, or an arc about it.
+  /// A primitive as `nearest` needs it, in F: neither roots nor angles are left to be taken.
   struct Paint {
-    Eigen::Vector2d start;
-    Eigen::Vector2d along;  // unit length; segments only
-    double length{0.0};     // of the segment; radius of the arc; m
+    std::array<Eigen::Vector2d, 2> ends;
+    Eigen::Vector2d centre;       // of the arc
+    Eigen::Vector2d along;        // unit length: of the segment, or from centre to the arc's middle
+    double length{0.0};           // of the segment; radius of the arc; m
+    double cos_half_sweep{-1.0};  // of the arc
     bool is_segment{true};
-    bool is_circle{false};  // the arc goes all the way round
   };
 
+  [[nodiscard]] static NearestLine nearest_on(const Paint& paint, const Eigen::Vector2d& p_F);
   [[nodiscard]] std::size_t cell_of(const Eigen::Vector2d& p_F) const;
 
   FieldModel field_;

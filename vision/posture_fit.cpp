@@ -40,14 +40,19 @@ constexpr double kTypicalRange = 3.0;  // m, of a line point
 
 using Row = Eigen::Matrix<double, 5, 1>;
 
-double width_of(const LineResidual& residual, double width, double scale) {
-  return std::max({width, kLastWidth, kSigmas * scale * std::sqrt(residual.var)});
+// Of the distance over the kernel's width: max(width, 20 mm, 3 sigma).
+double squared_ratio(const LineResidual& residual, double width, double scale) {
+  const double least = std::max(width, kLastWidth);
+  const double square_sigmas = kSigmas * kSigmas * scale * scale * residual.var;
+  return residual.distance * residual.distance / std::max(least * least, square_sigmas);
 }
 
 Row row_of(const LineResidual& residual) {
-  Row row;
-  row << residual.jacobian, residual.tilt_jacobian;
-  return row;
+  return {residual.jacobian.x(),
+          residual.jacobian.y(),
+          residual.jacobian.z(),
+          residual.tilt_jacobian.x(),
+          residual.tilt_jacobian.y()};
 }
 
 std::size_t sector_of(const Point<Robot>& p_R, std::size_t sectors) {
@@ -145,16 +150,22 @@ double PostureFitter::measure_scale() {
 }
 
 bool PostureFitter::step(PostureFit& fit, double width) const {
-  Information info = Information::Zero();
-  Row gradient = Row::Zero();
+  // The distance stands below the derivatives: one product is information and gradient.
+  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
   const double precision = 1.0 / (fit.scale * fit.scale);
   for (const LineResidual& r : residuals_) {
-    const double u = r.distance / width_of(r, width, fit.scale);
-    const double weight = precision / ((1.0 + u * u) * (1.0 + u * u) * r.var);
-    const Row row = row_of(r);
-    info.noalias() += weight * row * row.transpose();
-    gradient += weight * r.distance * row;
+    const double u2 = squared_ratio(r, width, fit.scale);
+    const double weight = precision / ((1.0 + u2) * (1.0 + u2) * r.var);
+    const Eigen::Matrix<double, 6, 1> column{r.jacobian.x(),
+                                             r.jacobian.y(),
+                                             r.jacobian.z(),
+                                             r.tilt_jacobian.x(),
+                                             r.tilt_jacobian.y(),
+                                             r.distance};
+    sum.noalias() += weight * column * column.transpose();
   }
+  Information info = sum.topLeftCorner<5, 5>();
+  Row gradient = sum.topRightCorner<5, 1>();
   const Eigen::Vector2d held = tilt_info(tilt_);
   info.diagonal().tail<2>() += held;
   gradient.tail<2>() += held.cwiseProduct(fit.tilt - tilt_.mean);
@@ -177,7 +188,7 @@ double PostureFitter::measure_correlation(const PostureFit& fit) const {
   Eigen::Matrix3d single = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < residuals_.size(); ++i) {
     const LineResidual& r = residuals_[i];
-    const double u2 = std::pow(r.distance / width_of(r, 0.0, fit.scale), 2);
+    const double u2 = squared_ratio(r, 0.0, fit.scale);
     const double psi = r.distance / std::pow(1.0 + u2, 2);
     const Eigen::Vector3d pull = psi / r.var * r.jacobian;
     single += pull * pull.transpose();
@@ -203,7 +214,7 @@ PostureFitter::Pulls PostureFitter::measure_pulls(std::span<const LinePoint> poi
   Pulls pulls = Pulls::Zero();
   for (std::size_t i = 0; i < residuals_.size(); i += stride) {
     const LineResidual& r = residuals_[i];
-    const double u2 = std::pow(r.distance / width_of(r, 0.0, fit.scale), 2);
+    const double u2 = squared_ratio(r, 0.0, fit.scale);
     const double weight = static_cast<double>(stride) / ((1.0 + u2) * (1.0 + u2) * r.var);
     const Eigen::Vector2d n_R = R_RF * r.jacobian.head<2>();
     pulls += weight * row_of(r) * (n_R.transpose() * shared_displacements(points[i]));
@@ -260,8 +271,7 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
     const LineResidual& r = residuals_[i];
     const bool runs_along_y = std::abs(r.jacobian.x()) > std::abs(r.jacobian.y());
     stretch_of_.push_back(2 * sector_of(points[i].p_R, kSectors) + (runs_along_y ? 1 : 0));
-    const double c = width_of(r, 0.0, fit.scale);
-    const double u2 = std::pow(r.distance / c, 2);
+    const double u2 = squared_ratio(r, 0.0, fit.scale);
     // psi and its slope of the kernel, of residuals in units of the claimed sigma.
     const double weight = 1.0 / ((1.0 + u2) * (1.0 + u2));
     const double psi = r.distance * weight;
