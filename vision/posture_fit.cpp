@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -20,6 +19,8 @@ constexpr double kLastWidth = 0.02;  // m, or 3 sigma
 constexpr double kShrink = 0.7;      // of the kernel, per step
 constexpr double kSigmas = 3.0;
 constexpr int kMaxSteps = 24;
+constexpr double kStill = 0.03;         // sigma of the answer; a smaller last step is none
+constexpr double kStillPlace = 1e-5;    // m or rad; the same
 constexpr double kVoteWidth = 0.08;     // m, of the soft votes that rank candidates
 constexpr double kInlierFloor = 0.05;   // m
 constexpr double kObservable = 0.5;     // m or rad: beyond this a direction counts as open
@@ -40,7 +41,8 @@ constexpr double kTypicalRange = 3.0;  // m, of a line point
 
 using Row = Eigen::Matrix<double, 5, 1>;
 
-// Of the distance over the kernel's width: max(width, 20 mm, 3 sigma).
+// (distance / kernel's width)^2; the kernel is as wide as asked for, but at least kLastWidth and
+// kSigmas sigma.
 double squared_ratio(const LineResidual& residual, double width, double scale) {
   const double least = std::max(width, kLastWidth);
   const double square_sigmas = kSigmas * kSigmas * scale * scale * residual.var;
@@ -55,9 +57,10 @@ Row row_of(const LineResidual& residual) {
           residual.tilt_jacobian.y()};
 }
 
-std::size_t sector_of(const Point<Robot>& p_R, std::size_t sectors) {
-  const double turn = std::atan2(p_R.y, p_R.x) / (2.0 * std::numbers::pi) + 0.5;
-  return std::min(static_cast<std::size_t>(turn * static_cast<double>(sectors)), sectors - 1);
+// Which eighth of the floor around the robot; in no order.
+std::size_t octant_of(const Point<Robot>& p_R) {
+  const bool is_wide = std::abs(p_R.x) > std::abs(p_R.y);
+  return (p_R.x < 0.0 ? 1U : 0U) + (p_R.y < 0.0 ? 2U : 0U) + (is_wide ? 4U : 0U);
 }
 
 // What a point is displaced by, in R, when the picture errs by one claimed sigma in each of six
@@ -179,7 +182,8 @@ bool PostureFitter::step(PostureFit& fit, double width) const {
               fit.X_FR.y() + limit * change(1),
               fit.X_FR.theta() + std::clamp(limit * change(2), -0.5, 0.5)};
   fit.tilt += limit * change.tail<2>();
-  return way > 1e-5 || std::abs(change(2)) > 1e-5;
+  const bool is_less_than_noise = -change.dot(gradient) < kStill * kStill;
+  return !is_less_than_noise && (way > kStillPlace || std::abs(change(2)) > kStillPlace);
 }
 
 double PostureFitter::measure_correlation(const PostureFit& fit) const {
@@ -270,7 +274,7 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
   for (std::size_t i = 0; i < residuals_.size(); ++i) {
     const LineResidual& r = residuals_[i];
     const bool runs_along_y = std::abs(r.jacobian.x()) > std::abs(r.jacobian.y());
-    stretch_of_.push_back(2 * sector_of(points[i].p_R, kSectors) + (runs_along_y ? 1 : 0));
+    stretch_of_.push_back(2 * octant_of(points[i].p_R) + (runs_along_y ? 1 : 0));
     const double u2 = squared_ratio(r, 0.0, fit.scale);
     // psi and its slope of the kernel, of residuals in units of the claimed sigma.
     const double weight = 1.0 / ((1.0 + u2) * (1.0 + u2));
@@ -317,17 +321,21 @@ PostureFit PostureFitter::fit(const LineMap& map,
   double width = std::min(start.width, kWidest);
   // While the kernel is wide, some of the points lead as well as all of them.
   std::size_t stride = 1 + points.size() / kLeaders;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  bool is_settled = false;
+  for (int i = 0; i < kMaxSteps && !is_settled; ++i) {
     look(map, points, stride, fit);
     fit.scale = measure_scale();
     const bool moved = step(fit, width);
     const bool is_narrow = width < kLastWidth;
-    if (!moved && is_narrow && stride == 1) break;
+    is_settled = !moved && is_narrow && stride == 1;
     if (is_narrow) stride = 1;
     width *= kShrink;
   }
-  look(map, points, 1, fit);
-  fit.scale = measure_scale();
+  // A settled robot stands where all points were last looked at from.
+  if (!is_settled) {
+    look(map, points, 1, fit);
+    fit.scale = measure_scale();
+  }
   judge(points, fit);
   return fit;
 }
