@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kCell = 0.05;    // m; half a line's width
 constexpr double kMargin = 1.5;   // m around the carpet: points of a wrong candidate fall there
+constexpr double kNoEnd = -2.0;   // less than any cosine
 constexpr double kOnFoot = 0.02;  // m, of a line's end from the foot that it marks
 
 /// Where something upright stands on the floor; m in F.
@@ -31,7 +32,7 @@ Eigen::Vector2d unit_at(double direction) {
   return {std::cos(direction), std::sin(direction)};
 }
 
-// Beyond an end: away from whichever is nearer.
+// Beyond the ends: away from the nearer one.
 NearestLine nearest_end(const std::array<Eigen::Vector2d, 2>& ends, const Eigen::Vector2d& p_F) {
   const bool is_first = (p_F - ends[0]).squaredNorm() <= (p_F - ends[1]).squaredNorm();
   NearestLine result;
@@ -80,11 +81,10 @@ LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part
                              0.5 * field.width + field.surround + kMargin};
   for (const FieldLine& line : painted_.lines) {
     const Eigen::Vector2d along = line.to.vector() - line.from.vector();
-    const double length = along.norm();
     paint_.push_back({{line.from.vector(), line.to.vector()},
                       Eigen::Vector2d::Zero(),
-                      along / length,
-                      length,
+                      along.normalized(),
+                      along.norm(),
                       0.0,
                       true});
   }
@@ -96,7 +96,7 @@ LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part
                       centre,
                       unit_at(arc.start + 0.5 * arc.sweep),
                       arc.radius,
-                      is_circle ? -2.0 : std::cos(0.5 * arc.sweep),
+                      is_circle ? kNoEnd : std::cos(0.5 * arc.sweep),
                       false});
   }
   corner_F_ = field.centre.vector() - half;
@@ -114,9 +114,11 @@ LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part
 }
 
 std::size_t LineMap::cell_of(const Eigen::Vector2d& p_F) const {
-  const Eigen::Vector2d cell = (p_F - corner_F_) / kCell;
-  const auto column = static_cast<std::size_t>(std::clamp(cell.x(), 0.0, columns_ - 1.0));
-  const auto row = static_cast<std::size_t>(std::clamp(cell.y(), 0.0, rows_ - 1.0));
+  constexpr double kCellsPerMetre = 1.0 / kCell;
+  const double x = kCellsPerMetre * (p_F.x() - corner_F_.x());
+  const double y = kCellsPerMetre * (p_F.y() - corner_F_.y());
+  const auto column = static_cast<std::size_t>(std::max(0.0, std::min(x, columns_ - 1.0)));
+  const auto row = static_cast<std::size_t>(std::max(0.0, std::min(y, rows_ - 1.0)));
   return row * static_cast<std::size_t>(columns_) + column;
 }
 

@@ -38,7 +38,7 @@ class LineMap {
     Eigen::Vector2d centre;       // of the arc
     Eigen::Vector2d along;        // unit length: of the segment, or from centre to the arc's middle
     double length{0.0};           // of the segment; radius of the arc; m
-    double cos_half_sweep{-1.0};  // of the arc
+    double cos_half_sweep{-1.0};  // of the arc; less than -1: it has no end
     bool is_segment{true};
   };
 

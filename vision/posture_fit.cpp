@@ -19,7 +19,7 @@ constexpr double kLastWidth = 0.02;  // m, or 3 sigma
 constexpr double kShrink = 0.7;      // of the kernel, per step
 constexpr double kSigmas = 3.0;
 constexpr int kMaxSteps = 24;
-constexpr double kStill = 0.03;         // sigma of the answer; a smaller last step is none
+constexpr double kStill = 0.03;         // sigma of the answer; a shorter step is none
 constexpr double kStillPlace = 1e-5;    // m or rad; the same
 constexpr double kVoteWidth = 0.08;     // m, of the soft votes that rank candidates
 constexpr double kInlierFloor = 0.05;   // m
@@ -249,7 +249,10 @@ void PostureFitter::doubt_stretches(const Information& info,
   const auto cov_of = [&](const Information& some) -> Eigen::Matrix3d {
     Information total = some / variance;
     total.diagonal() += held;
-    return total.llt().solve(Information::Identity()).topLeftCorner<3, 3>();
+    const Eigen::LLT<Information> root(total);
+    Eigen::Matrix3d cov;
+    for (int i = 0; i < 3; ++i) cov.col(i) = root.solve(Row::Unit(i)).head<3>();
+    return cov;
   };
   const Eigen::Matrix3d whole = cov_of(info);
   fit.cov_doubtful.setZero();

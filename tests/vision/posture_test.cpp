@@ -1,6 +1,7 @@
 // tests/vision/posture_test.cpp: tracking, search, symmetry, and refusing to answer.
 #include "vision/posture.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -88,6 +89,36 @@ TEST(LineMap, NamesTheNearestPaint) {
     // The grid's choice may differ between two paints that are equally near to within a cell.
     EXPECT_NEAR(std::abs(map.nearest(p).distance), std::abs(exact->distance), 0.08);
   }
+}
+
+TEST(LineMap, IsExactOnTheLineOrArcThatItNames) {
+  FieldModel field;
+  field.length = 9.0;
+  field.width = 6.0;
+  field.lines = {{"slanting", {-3.0, -1.0}, {-1.0, 1.5}}};
+  field.arcs = {{"circle", {0.0, 0.0}, 0.6, 0.0, 2.0 * std::numbers::pi},
+                {"quarter", {4.5, -3.0}, 1.0, 0.5 * std::numbers::pi, 0.5 * std::numbers::pi},
+                {"most of a circle", {2.0, 1.5}, 1.0, 5.5, 1.5 * std::numbers::pi}};
+  const LineMap map(field);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-5.0, 5.0);
+  std::array<int, 4> ends{};
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector2d p{place(random), place(random)};
+
+    const NearestLine named = map.nearest(p);
+
+    const NearestLine exact = line_at(field, named.primitive, Point<Field>::from(p));
+    EXPECT_NEAR(named.distance, exact.distance, 1e-12);
+    EXPECT_LT((named.closest_F - exact.closest_F).norm(), 1e-12);
+    EXPECT_LT((named.normal_F - exact.normal_F).norm(), 1e-12);
+    ASSERT_EQ(named.is_end, exact.is_end);
+    if (named.is_end) ++ends.at(named.primitive);
+  }
+  EXPECT_GT(ends[0], 50);
+  EXPECT_EQ(ends[1], 0);
+  EXPECT_GT(ends[2], 50);
+  EXPECT_GT(ends[3], 20);
 }
 
 TEST(PostureEstimator, TracksFromANearbyPrior) {
