@@ -332,7 +332,7 @@ PostureFit PostureFitter::fit(const LineMap& map,
     const bool is_narrow = width < kLastWidth;
     is_settled = !moved && is_narrow && stride == 1;
     if (is_narrow) stride = 1;
-    width *= kShrink;
+    width *= moved ? kShrink : kShrink * kShrink;
   }
   // A settled robot stands where all points were last looked at from.
   if (!is_settled) {
