@@ -14,13 +14,15 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kWidest = 0.25;     // m; farther from the paint a point says nothing
-constexpr double kLastWidth = 0.02;  // m, or 3 sigma
-constexpr double kShrink = 0.7;      // of the kernel, per step
+constexpr double kWidest = 0.25;      // m; farther from the paint a point says nothing
+constexpr double kLastWidth = 0.02;   // m, or 3 sigma
+constexpr double kShrink = 0.7;       // of the kernel, per step
+constexpr double kIdle = 0.05;        // of the kernel; one that moves points less has done its work
+constexpr double kShrinkIdle = 0.35;  // of such a kernel: about three steps at once
 constexpr double kSigmas = 3.0;
 constexpr int kMaxSteps = 24;
 constexpr double kStill = 0.03;         // sigma of the answer; a shorter step is none
-constexpr double kStillPlace = 1e-5;    // m or rad; the same
+constexpr double kStillPlace = 2e-5;    // m, of line points; the same
 constexpr double kVoteWidth = 0.08;     // m, of the soft votes that rank candidates
 constexpr double kInlierFloor = 0.05;   // m
 constexpr double kObservable = 0.5;     // m or rad: beyond this a direction counts as open
@@ -152,7 +154,7 @@ double PostureFitter::measure_scale() {
   return std::sqrt((kPriorPoints + count * measured * measured) / (kPriorPoints + count));
 }
 
-bool PostureFitter::step(PostureFit& fit, double width) const {
+double PostureFitter::step(PostureFit& fit, double width) const {
   // The distance stands below the derivatives: one product is information and gradient.
   Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
   const double precision = 1.0 / (fit.scale * fit.scale);
@@ -175,7 +177,7 @@ bool PostureFitter::step(PostureFit& fit, double width) const {
   // A little damping keeps an open direction where it is instead of throwing the robot off.
   info.diagonal().head<3>() += Eigen::Vector3d::Constant(1.0);
   const Row change = info.selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
-  if (!change.allFinite()) return false;
+  if (!change.allFinite()) return 0.0;
   const double way = change.head<2>().norm();
   const double limit = std::min(1.0, 0.5 / std::max(way, 1e-12));
   fit.X_FR = {fit.X_FR.x() + limit * change(0),
@@ -183,7 +185,7 @@ bool PostureFitter::step(PostureFit& fit, double width) const {
               fit.X_FR.theta() + std::clamp(limit * change(2), -0.5, 0.5)};
   fit.tilt += limit * change.tail<2>();
   const bool is_less_than_noise = -change.dot(gradient) < kStill * kStill;
-  return !is_less_than_noise && (way > kStillPlace || std::abs(change(2)) > kStillPlace);
+  return is_less_than_noise ? 0.0 : std::max(way, kTypicalRange * std::abs(change(2)));
 }
 
 double PostureFitter::measure_correlation(const PostureFit& fit) const {
@@ -328,11 +330,11 @@ PostureFit PostureFitter::fit(const LineMap& map,
   for (int i = 0; i < kMaxSteps && !is_settled; ++i) {
     look(map, points, stride, fit);
     fit.scale = measure_scale();
-    const bool moved = step(fit, width);
+    const double move = step(fit, width);
     const bool is_narrow = width < kLastWidth;
-    is_settled = !moved && is_narrow && stride == 1;
+    is_settled = move < kStillPlace && is_narrow && stride == 1;
     if (is_narrow) stride = 1;
-    width *= moved ? kShrink : kShrink * kShrink;
+    width *= move > kIdle * width ? kShrink : kShrinkIdle;
   }
   // A settled robot stands where all points were last looked at from.
   if (!is_settled) {

@@ -162,7 +162,8 @@ class PostureFitter {
             std::span<const LinePoint> points,
             std::size_t stride,
             const PostureFit& fit);
-  [[nodiscard]] bool step(PostureFit& fit, double width) const;
+  /// @return how far it moved line points, about; 0: by less than noise; m
+  [[nodiscard]] double step(PostureFit& fit, double width) const;
   void judge(std::span<const LinePoint> points, PostureFit& fit);
   /// Of the residuals of the last look, weighted as `judge` weighs them.
   [[nodiscard]] Pulls measure_pulls(std::span<const LinePoint> points, const PostureFit& fit) const;
