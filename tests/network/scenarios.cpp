@@ -111,6 +111,13 @@ std::uint32_t last_ball_of(Team& team, RobotId robot) {
   return 0;
 }
 
+void expect_ball(Stage& stage, std::uint32_t before) {
+  const std::uint32_t after = ball_of(stage.team);
+  stage.outcome.expect(after == before,
+                       "the ball keeps its id: it was " + std::to_string(before) + " and is " +
+                           std::to_string(after));
+}
+
 // After a long split the participants have forgotten each other, and find each other again when
 // they say that they exist (SPDPInterval, 2 s); and a half may have lost the ball and named it
 // anew, so that only the leading half's name can be kept.
@@ -144,7 +151,7 @@ Outcome split(const std::string& name, const ScenarioOptions& options, milliseco
   expect_recovery(
       stage, "one model everywhere", await_leader(stage, 6, healed, seconds(10)), limit);
   stage.outcome.expect(await_whole(stage, healed, seconds(10)) >= 0, "all robots in all models");
-  stage.outcome.expect(ball_of(stage.team) == ball_before, "the ball keeps its id");
+  expect_ball(stage, ball_before);
   return stage.outcome;
 }
 
@@ -179,7 +186,7 @@ Outcome vanish(const ScenarioOptions& options) {
   stage.hosts.network().cut(stage.team.host(6), true);
   expect_hand_over(stage, options, cut);
   expect_served(stage, stage.report("the leader's host has vanished", {cut, now_ns()}));
-  stage.outcome.expect(ball_of(stage.team) == ball, "the ball keeps its id");
+  expect_ball(stage, ball);
   const std::int64_t back = now_ns();
   stage.hosts.network().cut(stage.team.host(6), false);
   expect_recovery(stage, "one model everywhere", await_leader(stage, 6, back, seconds(10)), 1000.0);
@@ -212,7 +219,7 @@ Outcome hang(const ScenarioOptions& options) {
     const HeldThread main_loop(stage.team.fusion(6).pid());
     expect_hand_over(stage, options, hung);
     stage.report("the leading fusion's main loop hangs", {hung, now_ns()});
-    stage.outcome.expect(ball_of(stage.team) == ball, "the ball keeps its id");
+    expect_ball(stage, ball);
   }
   const std::int64_t again = now_ns();
   expect_recovery(stage, "it leads again", await_leader(stage, 6, again, seconds(10)), 3000.0);
@@ -227,7 +234,7 @@ Outcome kill_leader(const ScenarioOptions& options) {
   stage.team.fusion(6).kill(SIGKILL);
   expect_hand_over(stage, options, killed);
   stage.report("the leading fusion is killed", {killed, now_ns()});
-  stage.outcome.expect(ball_of(stage.team) == ball, "the ball keeps its id");
+  expect_ball(stage, ball);
   const std::int64_t again = now_ns();
   stage.team.start_fusion(6);
   expect_recovery(stage, "it leads again", await_leader(stage, 6, again, seconds(10)), 3000.0);

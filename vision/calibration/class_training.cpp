@@ -32,20 +32,23 @@ std::vector<float> bell_of(double sigma_cells) {
   return bell;
 }
 
+/// Of the bell around cell `centre` of a line; what lies outside counts as nothing.
+float blurred(const std::vector<float>& line, std::size_t centre, const std::vector<float>& bell) {
+  float sum = bell[0] * line[centre];
+  for (std::size_t k = 1; k < bell.size(); ++k) {
+    if (centre >= k) sum += bell[k] * line[centre - k];
+    if (centre + k < line.size()) sum += bell[k] * line[centre + k];
+  }
+  return sum;
+}
+
 // Along one axis; `stride` is the step between its cells.
 void blur(Density& density, std::size_t stride, const std::vector<float>& bell) {
   std::vector<float> line(kSide);
   for (std::size_t start = 0; start < density.size(); ++start) {
     if (start / stride % kSide != 0) continue;
     for (std::size_t i = 0; i < kSide; ++i) line[i] = density[start + i * stride];
-    for (std::size_t i = 0; i < kSide; ++i) {
-      float sum = bell[0] * line[i];
-      for (std::size_t k = 1; k < bell.size(); ++k) {
-        if (i >= k) sum += bell[k] * line[i - k];
-        if (i + k < kSide) sum += bell[k] * line[i + k];
-      }
-      density[start + i * stride] = sum;
-    }
+    for (std::size_t i = 0; i < kSide; ++i) density[start + i * stride] = blurred(line, i, bell);
   }
 }
 
