@@ -177,24 +177,36 @@ std::vector<ColourClass> Hough2001::colours_in(const ImageView& image,
   return seen;
 }
 
+std::optional<Hough2001Result> Hough2001::tested(const ImageView& image,
+                                                 Hough2001Result found) const {
+  // The field's lines are counted from its centre.
+  found.X_FR = {
+      found.X_FR.x() + field_.centre.x, found.X_FR.y() + field_.centre.y, found.X_FR.theta()};
+  if (!is_inside(found.X_FR)) return std::nullopt;
+  const GoalVote vote = look_at_goal(image, found.X_FR);
+  if (vote == GoalVote::kGreen) return std::nullopt;
+  found.status = vote == GoalVote::kUnseen ? PostureStatus::kAmbiguous : PostureStatus::kOk;
+  if (vote == GoalVote::kOpposite) found.X_FR = mirrored(found.X_FR, field_.centre);
+  return found;
+}
+
 Hough2001Result Hough2001::locate(const ImageView& image) {
   TEAMSIGHT_EXPECT(is_whole(image));
   find_transitions(image);
-  Hough2001Result lost;
-  lost.transitions = transitions_.size();
-  for (Hough2001Result found : hough2001_candidates(*hough_, lines_, transitions_, parameters_)) {
-    found.transitions = transitions_.size();
-    // The field's lines are counted from its centre.
-    found.X_FR = {
-        found.X_FR.x() + field_.centre.x, found.X_FR.y() + field_.centre.y, found.X_FR.theta()};
-    if (!is_inside(found.X_FR)) continue;
-    const GoalVote vote = look_at_goal(image, found.X_FR);
-    if (vote == GoalVote::kGreen) continue;
-    found.status = vote == GoalVote::kUnseen ? PostureStatus::kAmbiguous : PostureStatus::kOk;
-    if (vote == GoalVote::kOpposite) found.X_FR = mirrored(found.X_FR, field_.centre);
-    return found;
+  Hough2001Result best;
+  best.transitions = transitions_.size();
+  for (const auto& maximum : hough2001_candidates(*hough_, lines_, transitions_, parameters_)) {
+    // Of equal maxima the first that the goals confirm; of maxima that no goal speaks of, the
+    // first.
+    const bool is_found = best.status != PostureStatus::kLost;
+    if (is_found && maximum.matches < best.matches) break;
+    const auto found = tested(image, maximum);
+    if (!found || (is_found && found->status != PostureStatus::kOk)) continue;
+    best = *found;
+    best.transitions = transitions_.size();
+    if (best.status == PostureStatus::kOk) break;
   }
-  return lost;
+  return best;
 }
 
 }  // namespace teamsight::vision

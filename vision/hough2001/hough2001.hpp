@@ -87,6 +87,9 @@ class Hough2001 {
                                                     const Goal& goal,
                                                     const Pose<Field, Robot>& X_FR) const;
   [[nodiscard]] bool is_inside(const Pose<Field, Robot>& X_FR) const;
+  /// A maximum after the paper's two tests, in the field's frame; nothing if it fails one.
+  [[nodiscard]] std::optional<Hough2001Result> tested(const ImageView& image,
+                                                      Hough2001Result found) const;
 
   CameraParameters camera_;
   CameraModel model_;

@@ -13,17 +13,22 @@
 #include <gtest/gtest.h>
 
 #include "bench/locate_score/line_view.hpp"
+#include "bench/locate_score/rendered_view.hpp"
 #include "geometry/angle.hpp"
 #include "settings/load.hpp"
 
 namespace teamsight::vision {
 namespace {
 
-FieldModel field_file(const std::string& name) {
+std::string config(const std::string& file) {
   // A test has one thread when it reads its environment.
   // NOLINTNEXTLINE(concurrency-mt-unsafe)
   const char* source = std::getenv("TEAMSIGHT_SOURCE_DIR");
-  return settings::load_field(std::string(source) + "/config/fields/" + name + ".textproto");
+  return std::string(source) + "/config/" + file + ".textproto";
+}
+
+FieldModel field_file(const std::string& name) {
+  return settings::load_field(config("fields/" + name));
 }
 
 std::vector<Point<Robot>> transitions_at(const FieldModel& field,
@@ -112,6 +117,27 @@ TEST(Hough2001, FindsMostPlacesOnThePapersField) {
 
 TEST(Hough2001, RunsOnTheFieldOfTodayAsFarAsItCan) {
   EXPECT_GT(share_found("msl-2024", 40), 0.15);
+}
+
+// Beside a corner of the goal area two goal lines, two area fronts and the centre line can be laid
+// over each other in four ways that match alike: only the goals' colours tell them apart.
+TEST(Hough2001, AsksTheGoalsWhichOfEqualMaximaIsRight) {
+  const FieldModel field = field_file("robocup-2001");
+  const CameraParameters camera = settings::load_camera(config("cameras/sim-640"));
+  locate_score::RenderedView view(camera, camera, field, 2.0);
+  Hough2001 hough(camera, field);
+  for (const double x : {-2.97, 2.97}) {
+    for (int heading = 0; heading < 8; ++heading) {
+      const Pose<Field, Robot> truth(x, 1.35, heading * std::numbers::pi / 4.0 + 0.05);
+      view.draw(truth, {});
+
+      const Hough2001Result found = hough.locate(view.image());
+
+      EXPECT_EQ(found.status, PostureStatus::kOk) << x << ", heading " << heading;
+      EXPECT_LT((found.X_FR.origin().vector() - truth.origin().vector()).norm(), 0.15);
+      EXPECT_LT(std::abs(angle_difference(found.X_FR.theta(), truth.theta())), 0.035);
+    }
+  }
 }
 
 TEST(Hough2001, SaysNothingWithoutTransitions) {
