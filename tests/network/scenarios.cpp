@@ -119,8 +119,8 @@ void expect_ball(Stage& stage, std::uint32_t before) {
 }
 
 // After a long split the participants have forgotten each other, and find each other again when
-// they say that they exist (SPDPInterval, 2 s); and a half may have lost the ball and named it
-// anew, so that only the leading half's name can be kept.
+// they say that they exist (SPDPInterval, 2 s). A half that does not see the ball for some seconds
+// may lose it and name it anew; the name that all go on with is the leading half's.
 Outcome split(const std::string& name, const ScenarioOptions& options, milliseconds duration) {
   constexpr milliseconds kForgotten = seconds(10);
   const bool is_long = duration > kForgotten;
@@ -144,7 +144,7 @@ Outcome split(const std::string& name, const ScenarioOptions& options, milliseco
                     static_cast<double>(lease_of(options).count()) + 100.0);
   }
   expect_served(stage, stage.report(name, {cut, now_ns()}));
-  const std::uint32_t ball_before = last_ball_of(stage.team, is_long ? 6 : 1);
+  const std::uint32_t ball_before = last_ball_of(stage.team, 6);
   const double limit = is_long ? 2500.0 : 1000.0;
   const std::int64_t healed = now_ns();
   stage.hosts.network().set_groups(std::vector<int>(7, 0));
