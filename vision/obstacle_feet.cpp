@@ -18,16 +18,19 @@ constexpr std::size_t kSkip = 3;     // lines from one to the next of a group
 constexpr std::size_t kBeside = 10;  // lines beside a group that are asked where carpet ends
 constexpr double kHidden = 1e4;      // samples; nothing is known of that side
 constexpr float kFlat = 4.0F;        // samples
+constexpr float kAlone = 4.0F;       // samples; so much farther counts a foot without neighbours
 constexpr double kGap = 0.16;        // rad; a strut hides less
 constexpr double kValley = 4.0;      // samples; two robots beside each other are that far apart
 constexpr double kWide = 2.2;        // robot radii; a robot's foot is no wider
 constexpr double kPair = 3.4;        // robot radii; that wide are two robots
 constexpr std::size_t kFewestRays = 3;
+constexpr float kNowhere = std::numeric_limits<float>::max();  // what does not stand
 
 }  // namespace
 
 Feet::Feet(std::size_t lines, double spacing) : spacing_(spacing) {
   feet_.reserve(lines);
+  behind_.resize(lines);
 }
 
 bool Feet::joined(const Foot& a, const Foot& b) const {
@@ -55,19 +58,22 @@ std::size_t Feet::standing_in(const FootGroup& group) const {
 }
 
 // A single line that is nearer than both beside it is noise.
+float Feet::sure_radius(const FootGroup& group, std::size_t i) const {
+  const Foot& here = (*this)[i];
+  if (!here.stands) return kNowhere;
+  float beside = kNowhere;
+  if (i > group.first && (*this)[i - 1].stands) beside = (*this)[i - 1].radius;
+  if (i < group.last && (*this)[i + 1].stands) {
+    beside = std::min(beside, (*this)[i + 1].radius);
+  }
+  return beside < kNowhere ? std::max(here.radius, beside) : here.radius + kAlone;
+}
+
 std::size_t Feet::nearest_in(const FootGroup& group) const {
   std::size_t nearest = group.first;
-  float least = std::numeric_limits<float>::max();
+  float least = kNowhere;
   for (std::size_t i = group.first; i <= group.last; ++i) {
-    if (!(*this)[i].stands) continue;
-    float beside = std::numeric_limits<float>::max();
-    for (const std::size_t k : {i - 1, i + 1}) {
-      if (k < group.first || k > group.last || !(*this)[k].stands) continue;
-      beside = std::min(beside, (*this)[k].radius);
-    }
-    const bool has_neighbour = beside < std::numeric_limits<float>::max();
-    const float radius =
-        has_neighbour ? std::max((*this)[i].radius, beside) : (*this)[i].radius + 4.0F;
+    const float radius = sure_radius(group, i);
     if (radius >= least) continue;
     least = radius;
     nearest = i;
@@ -115,21 +121,45 @@ Eigen::Vector2d Feet::front_of(const FootGroup& group) const {
   return sum / std::max(1, count);
 }
 
-std::size_t Feet::valley_in(const FootGroup& group) const {
+// As `nearest_in` of what begins at each foot, but from the last one back in one pass: only the
+// first foot of a part lacks a neighbour.
+void Feet::look_back(const FootGroup& group) {
+  std::size_t nearest = group.last;
+  float least = kNowhere;  // of the feet behind the part's first
+  for (std::size_t i = group.last; i > group.first + 1; --i) {
+    const bool is_first = sure_radius({i, group.last}, i) <= least;
+    behind_[i - group.first] = (*this)[is_first ? i : nearest].radius;
+    const float radius = sure_radius(group, i);
+    if (radius > least) continue;
+    least = radius;
+    nearest = i;
+  }
+}
+
+std::size_t Feet::valley_in(const FootGroup& group) {
+  look_back(group);
   std::size_t valley = group.last;
   double deepest = kValley;
+  std::size_t nearest = group.first;
+  float least = kNowhere;  // of the feet before the last one on the left
   for (std::size_t i = group.first + 1; i < group.last; ++i) {
-    const float left = (*this)[nearest_in({group.first, i - 1})].radius;
-    const float right = (*this)[nearest_in({i + 1, group.last})].radius;
+    const bool is_last = sure_radius({group.first, i - 1}, i - 1) < least;
+    const float left = (*this)[is_last ? i - 1 : nearest].radius;
+    const float right = behind_[i + 1 - group.first];
     const auto depth = static_cast<double>((*this)[i].radius - std::max(left, right));
-    if (depth < deepest) continue;
-    deepest = depth;
-    valley = i;
+    if (depth >= deepest) {
+      deepest = depth;
+      valley = i;
+    }
+    const float radius = sure_radius(group, i - 1);
+    if (radius >= least) continue;
+    least = radius;
+    nearest = i - 1;
   }
   return valley;
 }
 
-void Feet::collect(double robot_radius, std::vector<FootGroup>& groups) const {
+void Feet::collect(double robot_radius, std::vector<FootGroup>& groups) {
   groups.clear();
   const std::size_t n = feet_.size();
   if (n < kFewestRays) return;
@@ -152,9 +182,7 @@ void Feet::collect(double robot_radius, std::vector<FootGroup>& groups) const {
   }
 }
 
-void Feet::split(const FootGroup& group,
-                 double robot_radius,
-                 std::vector<FootGroup>& groups) const {
+void Feet::split(const FootGroup& group, double robot_radius, std::vector<FootGroup>& groups) {
   const bool is_wide = width_of(group) > kWide * robot_radius;
   std::size_t valley = is_wide ? valley_in(group) : group.last;
   // Two robots side by side may leave no gap.

@@ -48,13 +48,16 @@ class Feet {
   [[nodiscard]] std::size_t size() const { return feet_.size(); }
 
   /// Indices go around: the foot after the last one is the first one.
-  [[nodiscard]] const Foot& operator[](std::size_t i) const { return feet_[i % feet_.size()]; }
+  [[nodiscard]] const Foot& operator[](std::size_t i) const {
+    while (i >= feet_.size()) i -= feet_.size();
+    return feet_[i];
+  }
 
   /// Whether both feet may be one thing's.
   [[nodiscard]] bool joined(const Foot& a, const Foot& b) const;
 
   /// Replaces `groups` by all things that stand, those side by side parted.
-  void collect(double robot_radius, std::vector<FootGroup>& groups) const;
+  void collect(double robot_radius, std::vector<FootGroup>& groups);
 
   [[nodiscard]] std::size_t standing_in(const FootGroup& group) const;
   [[nodiscard]] double angle_of(const FootGroup& group) const;  ///< rad
@@ -68,10 +71,17 @@ class Feet {
   [[nodiscard]] std::pair<double, double> prominence(const FootGroup& group) const;
 
  private:
-  [[nodiscard]] std::size_t valley_in(const FootGroup& group) const;
-  void split(const FootGroup& group, double robot_radius, std::vector<FootGroup>& groups) const;
+  /// The radius of foot `i` of a group, or a larger one if it may be a single line's noise; that of
+  /// what does not stand is larger than any.
+  [[nodiscard]] float sure_radius(const FootGroup& group, std::size_t i) const;
+  /// Fills `behind_` for the feet behind the group's second.
+  void look_back(const FootGroup& group);
+  [[nodiscard]] std::size_t valley_in(const FootGroup& group);
+  void split(const FootGroup& group, double robot_radius, std::vector<FootGroup>& groups);
 
   std::vector<Foot> feet_;
+  /// Of each foot of a group, from its first on: the radius of the nearest from there to the last.
+  std::vector<float> behind_;
   double spacing_{0.0};
 };
 
