@@ -173,14 +173,14 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
 
 void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) {
   const ScanRange& range = frame.lines.radial()[radial_line];
-  const auto taps = frame.lines.taps(range);
+  const auto places = frame.lines.pixels(range);
   const auto classes = frame.scan.classes(range);
-  const std::size_t end = std::min(frame.hull.end(radial_line) + kBehind, taps.size() - 1);
+  const std::size_t end = std::min(frame.hull.end(radial_line) + kBehind, places.size() - 1);
   for (std::size_t i = next_of_ball(classes, 0, end); i < end;
        i = next_of_ball(classes, i + 1, end)) {
     // Two in a row: single pixels of noise are not worth a search.
     if (classes[i + 1] != ColourClass::kBall) continue;
-    const std::size_t pixel = taps[i].nearest(frame.pixels.width());
+    const std::size_t pixel = places[i];
     if (visited_[pixel] == frame_ || blobs_.size() == kMostBlobs) continue;
     const BallBlob blob = grow(frame, pixel);
     if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);

@@ -55,7 +55,7 @@ ColourClasses::ColourClasses(const ColourParameters& parameters)
       black_max_y_(parameters.black_max_y) {
   TEAMSIGHT_EXPECT(!has_table_ || trained_.size() == kClassCells);
   for (std::size_t i = 0; i < table_.size(); ++i) {
-    table_[i] = class_at(parameters, static_cast<int>(i >> 8U), static_cast<int>(i & 255U));
+    table_[i] = class_at(parameters, static_cast<int>(i & 255U), static_cast<int>(i >> 8U));
   }
 }
 

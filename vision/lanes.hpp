@@ -24,6 +24,7 @@ using FourHalves [[gnu::vector_size(8)]] = std::uint16_t;
 using EightHalves [[gnu::vector_size(16)]] = std::uint16_t;
 using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
 using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
+using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 
 inline constexpr std::size_t kLanes = 4;
 
@@ -69,6 +70,47 @@ inline void store_bytes(const FourInts& lanes, Byte* to) {
   const std::int32_t packed = lanes[0] | lanes[1] << 8 | lanes[2] << 16 | lanes[3] << 24;
 #endif
   std::memcpy(static_cast<void*>(to), &packed, sizeof(packed));
+}
+
+/// The upper sixteen bits of the products of all lanes.
+[[nodiscard]] inline EightHalves high_products(const EightHalves& a, const EightHalves& b) {
+#ifdef __SSE2__
+  return reinterpret_cast<EightHalves>(
+      _mm_mulhi_epu16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  EightHalves high{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    high[i] = static_cast<std::uint16_t>(std::uint32_t{a[i]} * b[i] >> 16U);
+  }
+  return high;
+#endif
+}
+
+/// The lanes of both, each from 0 to 255, as bytes.
+[[nodiscard]] inline SixteenBytes to_bytes(const EightHalves& low, const EightHalves& high) {
+#ifdef __SSE2__
+  return reinterpret_cast<SixteenBytes>(
+      _mm_packus_epi16(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high)));
+#else
+  return __builtin_shufflevector(__builtin_convertvector(low, EightBytes),
+                                 __builtin_convertvector(high, EightBytes),
+                                 0,
+                                 1,
+                                 2,
+                                 3,
+                                 4,
+                                 5,
+                                 6,
+                                 7,
+                                 8,
+                                 9,
+                                 10,
+                                 11,
+                                 12,
+                                 13,
+                                 14,
+                                 15);
+#endif
 }
 
 /// How many bytes from the first on have this value, in whole eights.

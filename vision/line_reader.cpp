@@ -32,7 +32,7 @@ std::uint32_t load(const std::uint8_t* from) {
 }
 
 /// How a format's bytes lie. `word`: of a pixel and its right neighbour. `luminances`: theirs,
-/// taken out of such words. `chroma`: u and v of a pixel.
+/// taken out of such words. `pair`: what holds u and v of a pixel, `chromas` takes them out.
 struct Yuyv {
   const std::uint8_t* bytes;
 
@@ -42,9 +42,11 @@ struct Yuyv {
 
   static FourWords luminances(const FourWords& words) { return words & kTwoBytes; }
 
-  [[nodiscard]] std::uint32_t chroma(std::size_t pixel) const {
-    return word(pixel & ~std::size_t{1}) >> 8U & kTwoBytes;
+  [[nodiscard]] std::uint32_t pair(std::size_t pixel) const {
+    return word(pixel & ~std::size_t{1});
   }
+
+  static FourWords chromas(const FourWords& pairs) { return pairs >> 8U & kTwoBytes; }
 };
 
 struct Uyvy {
@@ -56,9 +58,11 @@ struct Uyvy {
 
   static FourWords luminances(const FourWords& words) { return words >> 8U & kTwoBytes; }
 
-  [[nodiscard]] std::uint32_t chroma(std::size_t pixel) const {
-    return word(pixel & ~std::size_t{1}) & kTwoBytes;
+  [[nodiscard]] std::uint32_t pair(std::size_t pixel) const {
+    return word(pixel & ~std::size_t{1});
   }
+
+  static FourWords chromas(const FourWords& pairs) { return pairs & kTwoBytes; }
 };
 
 struct Planar {
@@ -81,10 +85,12 @@ struct Other {
 
   static FourWords luminances(const FourWords& words) { return words; }
 
-  [[nodiscard]] std::uint32_t chroma(std::size_t pixel) const {
+  [[nodiscard]] std::uint32_t pair(std::size_t pixel) const {
     const Chroma single = pixels.chroma(pixel);
     return single.u | std::uint32_t{single.v} << 16U;
   }
+
+  static FourWords chromas(const FourWords& pairs) { return pairs; }
 };
 
 // Two luminances in each lane weighed by how far right the place is; times 256.
@@ -106,30 +112,16 @@ FourFloats interpolated(const FourWords& above, const FourWords& under, const Fo
   return (static_cast<float>(kWhole) * top + (bottom - top) * below) * 0x1p-16F;
 }
 
-/// Of four taps: their corners, and how far right (lowest byte) and below (next) of them they are.
+/// Of four taps: how far right (lowest byte) and below (next) of their corners they are.
 struct FourTaps {
   explicit FourTaps(const SampleTap* taps) {
     const auto first = load_lanes<FourWords>(taps);
     const auto second = load_lanes<FourWords>(taps + 2);
-    corners = __builtin_shufflevector(first, second, 0, 2, 4, 6);
     within = __builtin_shufflevector(first, second, 1, 3, 5, 7);
   }
 
-  // As SampleTap::nearest: from the middle on, the right and the lower neighbour.
-  [[nodiscard]] FourWords nearest(std::uint32_t width) const {
-    const FourWords is_lower = 0U - (within >> 15U & 1U);
-    return corners + (within >> 7U & 1U) + (is_lower & width);
-  }
-
-  FourWords corners;
   FourWords within;
 };
-
-/// Writes u and v of four places.
-void store_chroma(const FourInts& u, const FourInts& v, Chroma* to) {
-  static_assert(sizeof(Chroma) == 2);
-  store_lanes(__builtin_convertvector(u | v << 8, FourHalves), to);
-}
 
 template <class Format>
 void read_four(const Format& format, std::size_t width, const SampleTap* taps, float* luminance) {
@@ -170,33 +162,35 @@ void read_format(const Format& format,
 
 template <class Format>
 void read_chroma(const Format& format,
-                 std::size_t width,
-                 std::span<const SampleTap> taps,
+                 std::span<const std::uint32_t> places,
                  std::span<std::uint32_t> chroma) {
-  const std::size_t n = taps.size();
-  std::size_t i = 0;
-  for (; i + kLanes <= n; i += kLanes) {
-    const FourWords pixels = FourTaps(&taps[i]).nearest(static_cast<std::uint32_t>(width));
-    store_lanes(FourWords{format.chroma(pixels[0]),
-                          format.chroma(pixels[1]),
-                          format.chroma(pixels[2]),
-                          format.chroma(pixels[3])},
-                &chroma[i]);
+  const std::size_t n = places.size();
+  const auto read = [&](std::size_t i) {
+    const FourWords pairs{format.pair(places[i]),
+                          format.pair(places[i + 1]),
+                          format.pair(places[i + 2]),
+                          format.pair(places[i + 3])};
+    store_lanes(Format::chromas(pairs), &chroma[i]);
+  };
+  for (std::size_t i = 0; i + kLanes <= n; i += kLanes) read(i);
+  if (n % kLanes == 0) return;
+  if (n > kLanes) return read(n - kLanes);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t pair = format.pair(places[i]);
+    chroma[i] = Format::chromas(FourWords{pair, pair, pair, pair})[0];
   }
-  for (; i < n; ++i) chroma[i] = format.chroma(taps[i].nearest(width));
 }
 
 void read_chroma(const PixelReader& pixels,
-                 std::span<const SampleTap> taps,
+                 std::span<const std::uint32_t> places,
                  std::span<std::uint32_t> chroma) {
-  const std::size_t width = pixels.width();
   if (pixels.format() == PixelFormat::kYuyv) {
-    return read_chroma(Yuyv{pixels.bytes()}, width, taps, chroma);
+    return read_chroma(Yuyv{pixels.bytes()}, places, chroma);
   }
   if (pixels.format() == PixelFormat::kUyvy) {
-    return read_chroma(Uyvy{pixels.bytes()}, width, taps, chroma);
+    return read_chroma(Uyvy{pixels.bytes()}, places, chroma);
   }
-  return read_chroma(Other{pixels}, width, taps, chroma);
+  return read_chroma(Other{pixels}, places, chroma);
 }
 
 }  // namespace
@@ -219,20 +213,32 @@ void read_luminance(const PixelReader& pixels,
   }
 }
 
+namespace {
+
+// Times 2^(16 + shift), rounded up. Of a window of one it has no room, nor is it needed.
+std::uint16_t reciprocal_of(std::size_t window, std::uint32_t shift) {
+  const std::size_t one = std::size_t{1} << (16U + shift);
+  return window == 1 ? std::uint16_t{0} : static_cast<std::uint16_t>((one + window - 1) / window);
+}
+
+}  // namespace
+
 ChromaReader::ChromaReader(std::size_t window, std::size_t longest)
     : window_(window | 1U),
-      single_(longest + window_ - 1 + kLanes),
+      shift_(static_cast<std::uint32_t>(std::bit_width(window_)) - 1),
+      reciprocal_(reciprocal_of(window_, shift_)),
+      single_(longest + window_ - 1 + kSpare),
       mean_(longest + kSpare) {
   TEAMSIGHT_EXPECT(window_ <= kWidestWindow);
 }
 
 std::span<const Chroma> ChromaReader::read(const PixelReader& pixels,
-                                           std::span<const SampleTap> taps) {
-  TEAMSIGHT_EXPECT(!taps.empty() && taps.size() + kSpare <= mean_.size());
-  const std::size_t n = taps.size();
+                                           std::span<const std::uint32_t> places) {
+  TEAMSIGHT_EXPECT(!places.empty() && places.size() + kSpare <= mean_.size());
+  const std::size_t n = places.size();
   const std::size_t half = window_ / 2;
   const std::span<std::uint32_t> line = std::span(single_).subspan(half, n);
-  read_chroma(pixels, taps, line);
+  read_chroma(pixels, places, line);
   // Beyond its ends the line goes on as it ends.
   std::fill_n(single_.begin(), half, line.front());
   std::fill_n(single_.begin() + static_cast<std::ptrdiff_t>(half + n), half, line.back());
@@ -240,17 +246,20 @@ std::span<const Chroma> ChromaReader::read(const PixelReader& pixels,
   return std::span(mean_).first(n);
 }
 
-// The sums of u and v over a window stay apart in one word: up to 127 bytes each, no carry.
+// The sums of u and v over a window stay apart in one word: up to 127 bytes each, no carry. The
+// reciprocal is too large by less than 127 of 2^(16 + shift): for no such sum enough to reach the
+// next whole mean.
 void ChromaReader::average(std::size_t n) {
-  const float share = 1.0F / static_cast<float>(window_);
-  // The half more is nowhere near enough to reach the next whole mean, but covers the rounding.
-  const auto mean_of = [&](const FourWords& sums) {
-    return to_ints((to_floats(std::bit_cast<FourInts>(sums)) + 0.5F) * share);
-  };
-  for (std::size_t i = 0; i < n; i += kLanes) {
+  static_assert(sizeof(Chroma) == 2);
+  const EightHalves reciprocal = reciprocal_ + EightHalves{};
+  const auto sums_at = [&](std::size_t i) {
     auto sums = load_lanes<FourWords>(&single_[i]);
     for (std::size_t k = 1; k < window_; ++k) sums += load_lanes<FourWords>(&single_[i + k]);
-    store_chroma(mean_of(sums & 0xFFFFU), mean_of(sums >> 16U), &mean_[i]);
+    const auto halves = std::bit_cast<EightHalves>(sums);
+    return window_ == 1 ? halves : high_products(halves, reciprocal) >> shift_;
+  };
+  for (std::size_t i = 0; i < n; i += 2 * kLanes) {
+    store_lanes(to_bytes(sums_at(i), sums_at(i + kLanes)), &mean_[i]);
   }
 }
 

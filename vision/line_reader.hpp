@@ -28,15 +28,18 @@ class ChromaReader {
   /// @param longest  of the lines to be read
   ChromaReader(std::size_t window, std::size_t longest);
 
-  /// @return one for each tap; valid until the next call
+  /// @param places  a line's samples as indices of pixels
+  /// @return one for each place; valid until the next call
   [[nodiscard]] std::span<const Chroma> read(const PixelReader& pixels,
-                                             std::span<const SampleTap> taps);
+                                             std::span<const std::uint32_t> places);
 
  private:
   /// Of the first `n` of `single_`, to `mean_`; a few more are written.
   void average(std::size_t n);
 
   std::size_t window_;
+  std::uint32_t shift_;                // a mean is this part of the upper sixteen bits of ...
+  std::uint16_t reciprocal_;           // ... this times the sum
   std::vector<std::uint32_t> single_;  // u + (v << 16); half a window longer at both ends
   std::vector<Chroma> mean_;
 };

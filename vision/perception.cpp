@@ -205,9 +205,9 @@ std::optional<FieldColours> Perception::field_colours(const ImageView& image) {
   std::vector<SampledColour>& floor = tables_->floor;
   floor.clear();
   for (const ScanRange& range : tables_->lines.radial()) {
-    const auto taps = tables_->lines.taps(range);
-    for (std::size_t i = 0; i < taps.size(); i += kFloorStride) {
-      const std::size_t pixel = taps[i].nearest(pixels.width());
+    const auto places = tables_->lines.pixels(range);
+    for (std::size_t i = 0; i < places.size(); i += kFloorStride) {
+      const std::size_t pixel = places[i];
       const Chroma chroma = pixels.chroma(pixel);
       floor.push_back({pixels.luminance(pixel), chroma.u, chroma.v});
     }

@@ -130,7 +130,7 @@ void RadialScan::classify(const PixelReader& pixels,
     read_luminance(pixels, taps, luminance);
     classify_line(colours,
                   {luminance,
-                   chroma_reader_.read(pixels, taps),
+                   chroma_reader_.read(pixels, lines.pixels(range)),
                    std::span(classes_).subspan(range.first, range.count),
                    std::span(chromas_).subspan(range.first, range.count + kTogether)},
                   meter);

@@ -96,7 +96,8 @@ bool is_masked(const Mask& mask, double image_direction) {
 ScanLines::ScanLines(const CameraParameters& parameters,
                      const CameraModel& model,
                      const RayTable& rays)
-    : scale_(scale_of(rays)) {
+    : scale_(scale_of(rays)),
+      width_px_(rays.width()) {
   const auto scale = static_cast<int>(scale_);
   const Sampler sampler(parameters, model, rays);
   const auto reach = static_cast<int>(std::hypot(rays.width(), rays.height()));
@@ -118,6 +119,7 @@ ScanLines::ScanLines(const CameraParameters& parameters,
 
 void ScanLines::add(const ScanStep& step) {
   taps_.push_back(step.tap);
+  pixels_.push_back(static_cast<std::uint32_t>(step.tap.nearest(width_px_)));
   samples_.push_back(step.sample);
 }
 
@@ -136,6 +138,7 @@ void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
   range.count = samples_.size() - range.first;
   if (range.count < kShortest) {
     taps_.resize(range.first);
+    pixels_.resize(range.first);
     samples_.resize(range.first);
     return;
   }

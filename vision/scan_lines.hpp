@@ -79,6 +79,11 @@ class ScanLines {
     return std::span(taps_).subspan(range.first, range.count);
   }
 
+  /// Of each of the samples, the index of the nearest pixel.
+  [[nodiscard]] std::span<const std::uint32_t> pixels(const ScanRange& range) const {
+    return std::span(pixels_).subspan(range.first, range.count);
+  }
+
   /// Samples of the longest line.
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
@@ -93,7 +98,9 @@ class ScanLines {
   void close(std::vector<ScanRange>& ranges, ScanRange range);
 
   std::size_t scale_;
+  std::size_t width_px_;
   std::vector<SampleTap> taps_;
+  std::vector<std::uint32_t> pixels_;
   std::vector<ScanSample> samples_;  // of each tap
   std::vector<ScanRange> radial_;
   std::vector<ScanRange> circular_;
