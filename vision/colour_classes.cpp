@@ -59,6 +59,20 @@ ColourClasses::ColourClasses(const ColourParameters& parameters)
   }
 }
 
+void ColourClasses::classify(std::span<const std::uint8_t> luminance,
+                             std::span<const Chroma> chroma,
+                             std::span<ColourClass> classes) const {
+  const std::size_t n = classes.size();
+  TEAMSIGHT_EXPECT(luminance.size() == n && chroma.size() == n);
+  if (!has_table_) {
+    for (std::size_t i = 0; i < n; ++i) classes[i] = of(chroma[i]);
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    classes[i] = of(SampledColour{luminance[i], chroma[i].u, chroma[i].v});
+  }
+}
+
 void ColourClasses::adapt(const LightGains& gains) {
   TEAMSIGHT_EXPECT(gains.red > 0.0 && gains.green > 0.0 && gains.blue > 0.0);
   is_adapted_ = gains != LightGains{};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "vision/camera_parameters.hpp"
 #include "vision/light_gains.hpp"
@@ -45,6 +46,11 @@ class ColourClasses {
   [[nodiscard]] ColourClass of(const SampledColour& colour) const {
     return has_table_ ? trained_[class_cell(colour)] : of(Chroma{colour.u, colour.v});
   }
+
+  /// The same of many colours, one class for each.
+  void classify(std::span<const std::uint8_t> luminance,
+                std::span<const Chroma> chroma,
+                std::span<ColourClass> classes) const;
 
   /// The same of a colour as the camera shows it.
   [[nodiscard]] ColourClass chromatic(std::uint8_t y, Chroma chroma) const {

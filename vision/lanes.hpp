@@ -72,6 +72,40 @@ inline void store_bytes(const FourInts& lanes, Byte* to) {
   std::memcpy(static_cast<void*>(to), &packed, sizeof(packed));
 }
 
+/// The same for bytes.
+[[nodiscard]] inline std::uint32_t bits_of(const SixteenBytes& claim) {
+#ifdef __SSE2__
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(reinterpret_cast<__m128i>(claim)));
+#else
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < 16; ++i) bits |= claim[i] != 0 ? 1U << i : 0U;
+  return bits;
+#endif
+}
+
+/// a - b, or 0 where that is less.
+[[nodiscard]] inline SixteenBytes excess(const SixteenBytes& a, const SixteenBytes& b) {
+#ifdef __SSE2__
+  return reinterpret_cast<SixteenBytes>(
+      _mm_subs_epu8(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  return (a - b) & std::bit_cast<SixteenBytes>(a > b);
+#endif
+}
+
+/// a b of each even lane and the odd one behind it, added up.
+[[nodiscard]] inline FourInts pair_products(const EightShorts& a, const EightShorts& b) {
+#ifdef __SSE2__
+  return reinterpret_cast<FourInts>(
+      _mm_madd_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  return FourInts{a[0] * b[0] + a[1] * b[1],
+                  a[2] * b[2] + a[3] * b[3],
+                  a[4] * b[4] + a[5] * b[5],
+                  a[6] * b[6] + a[7] * b[7]};
+#endif
+}
+
 /// The upper sixteen bits of the products of all lanes.
 [[nodiscard]] inline EightHalves high_products(const EightHalves& a, const EightHalves& b) {
 #ifdef __SSE2__

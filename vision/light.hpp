@@ -19,14 +19,14 @@ enum class Light : std::uint8_t {
 /// Sums up the luminance along the radial scan lines.
 class LightMeter {
  public:
-  void add(std::span<const float> profile);
+  void add(std::span<const std::uint8_t> profile);
 
   /// kUnknown if nothing was added.
   [[nodiscard]] Light light() const;
 
  private:
-  double sum_{0.0};
-  double sum_square_{0.0};
+  std::uint64_t sum_{0};
+  std::uint64_t sum_square_{0};
   std::size_t saturated_{0};
   std::size_t count_{0};
 };

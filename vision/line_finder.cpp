@@ -2,7 +2,10 @@
 #include "vision/line_finder.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
+#include "vision/lanes.hpp"
 #include "vision/line_reader.hpp"
 
 namespace teamsight::vision {
@@ -14,9 +17,25 @@ constexpr std::size_t kMargin = 8;    // px beside an edge, in which floor and c
 constexpr std::size_t kAcross = 2;    // samples over which an edge is seen
 constexpr double kSubpixels = 256.0;  // of a tap
 
+using Profile = std::span<const std::uint8_t>;
+
 // Whether the profile rises onto paint right behind sample `i`.
-bool is_rise(std::span<const float> y, std::size_t i, float least) {
-  return std::max(y[i + 1], y[i + kAcross]) - y[i] >= least;
+bool is_rise(Profile y, std::size_t i, std::uint8_t least) {
+  return std::max(y[i + 1], y[i + kAcross]) >= y[i] + least;
+}
+
+// The first such sample from `i` on; where there is none, one too near to the end for any.
+std::size_t next_rise(Profile y, std::size_t i, std::uint8_t least) {
+  for (; i + kAcross + sizeof(SixteenBytes) <= y.size(); i += sizeof(SixteenBytes)) {
+    const auto here = load_lanes<SixteenBytes>(&y[i]);
+    const SixteenBytes one = excess(load_lanes<SixteenBytes>(&y[i + 1]), here);
+    const SixteenBytes two = excess(load_lanes<SixteenBytes>(&y[i + kAcross]), here);
+    const std::uint32_t bits =
+        bits_of(std::bit_cast<SixteenBytes>((one >= least) | (two >= least)));
+    if (bits != 0) return i + static_cast<std::size_t>(std::countr_zero(bits));
+  }
+  while (i + kAcross < y.size() && !is_rise(y, i, least)) ++i;
+  return i;
 }
 
 // A place between two samples.
@@ -35,24 +54,26 @@ SampleTap tap_between(const ScanSample& a, const ScanSample& b, float t, std::si
 
 LineFinder::LineFinder(std::size_t longest, const LineRules& rules)
     : rules_(rules),
-      rise_(static_cast<float>(kRise * rules.min_contrast)),
+      rise_(static_cast<std::uint8_t>(std::ceil(kRise * rules.min_contrast))),
       widest_(static_cast<float>(kWidestCrossing * rules.line_width)) {
   taps_.reserve(longest);
   luminance_.reserve(longest);
 }
 
-// From before a rise to where paint crossed at a slant would have ended, and a margin.
-LineFinder::Stretch LineFinder::stretch_at(const SampledLine& line, std::size_t rise) const {
-  const std::size_t margin = (kMargin + line.pitch - 1) / line.pitch;
+// Where paint that begins with a rise would have ended, crossed at a slant; not before `known`, the
+// end of what began before it.
+std::size_t LineFinder::paint_end(const SampledLine& line,
+                                  std::size_t rise,
+                                  std::size_t known) const {
   const ScanSample& start = line.samples[rise];
   const auto is_on_paint = [&](const ScanSample& sample) {
     const float x = sample.x - start.x;
     const float y = sample.y - start.y;
     return x * x + y * y < widest_ * widest_;
   };
-  std::size_t end = rise + 1;
+  std::size_t end = std::max(rise + 1, known);
   while (end < line.samples.size() && is_on_paint(line.samples[end])) ++end;
-  return {rise - std::min(rise, margin), std::min(end + kAcross + margin, line.samples.size())};
+  return end;
 }
 
 void LineFinder::look_closely(const ColouredFrame& frame,
@@ -64,7 +85,8 @@ void LineFinder::look_closely(const ColouredFrame& frame,
   const std::size_t width = frame.pixels.width();
   taps_.clear();
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    for (std::size_t k = 0; k < line.pitch; ++k) {
+    taps_.push_back(line.taps[stretch.first + i]);
+    for (std::size_t k = 1; k < line.pitch; ++k) {
       const float t = static_cast<float>(k) / static_cast<float>(line.pitch);
       taps_.push_back(tap_between(samples[i], samples[i + 1], t, width));
     }
@@ -86,16 +108,20 @@ void LineFinder::find(const ColouredFrame& frame,
                      points);
     return;
   }
+  const std::size_t margin = (kMargin + line.pitch - 1) / line.pitch;
+  const std::size_t n = line.samples.size();
   // Stretches that touch are one: paint is not cut where the last one would have ended.
   Stretch open;
-  for (std::size_t i = 0; i + kAcross < line.samples.size(); ++i) {
-    if (!is_rise(line.luminance, i, rise_)) continue;
-    const Stretch next = stretch_at(line, i);
-    if (next.first > open.end) {
+  std::size_t end = 0;
+  for (std::size_t i = next_rise(line.luminance, 0, rise_); i + kAcross < n;
+       i = next_rise(line.luminance, i + 1, rise_)) {
+    end = paint_end(line, i, end);
+    const std::size_t first = i - std::min(i, margin);
+    if (first > open.end) {
       look_closely(frame, line, open, points);
-      open.first = next.first;
+      open.first = first;
     }
-    open.end = next.end;
+    open.end = std::min(end + kAcross + margin, n);
   }
   look_closely(frame, line, open, points);
 }

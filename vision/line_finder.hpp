@@ -18,9 +18,9 @@ struct ColouredFrame {
 /// A whole scan line as it was looked at.
 struct SampledLine {
   std::span<const ScanSample> samples;
-  std::span<const SampleTap> taps;   ///< of each sample
-  std::span<const float> luminance;  ///< of each sample, grey levels
-  std::size_t pitch{1};              ///< px from one sample to the next
+  std::span<const SampleTap> taps;          ///< of each sample
+  std::span<const std::uint8_t> luminance;  ///< of each sample, grey levels
+  std::size_t pitch{1};                     ///< px from one sample to the next
 };
 
 /// Finds the line points of whole scan lines. Where the samples of a line are more than a pixel
@@ -43,17 +43,19 @@ class LineFinder {
     std::size_t end{0};
   };
 
-  [[nodiscard]] Stretch stretch_at(const SampledLine& line, std::size_t rise) const;
+  [[nodiscard]] std::size_t paint_end(const SampledLine& line,
+                                      std::size_t rise,
+                                      std::size_t known) const;
   void look_closely(const ColouredFrame& frame,
                     const SampledLine& line,
                     const Stretch& stretch,
                     std::vector<LinePoint>& points);
 
   LineRules rules_;
-  float rise_;                    // grey levels
-  float widest_;                  // m of floor, of paint
-  std::vector<SampleTap> taps_;   // of a stretch, a pixel apart
-  std::vector<float> luminance_;  // at each of them
+  std::uint8_t rise_;                    // grey levels
+  float widest_;                         // m of floor, of paint
+  std::vector<SampleTap> taps_;          // of a stretch, a pixel apart
+  std::vector<std::uint8_t> luminance_;  // at each of them
 };
 
 }  // namespace teamsight::vision

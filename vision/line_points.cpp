@@ -24,7 +24,7 @@ constexpr double kGreySigma = 4.0;          // grey levels of pixel noise
 // surer, or one that belongs to another line outvotes a whole far one.
 constexpr double kPaintSigma = 0.008;
 
-using Profile = std::span<const float>;
+using Profile = std::span<const std::uint8_t>;
 using Taps = std::span<const SampleTap>;
 
 /// Where on the floor and in the picture the places of a profile are, counted in taps.
@@ -84,14 +84,16 @@ struct Bump {
 };
 
 float lowest(Profile profile, std::size_t first, std::size_t last) {
-  return *std::min_element(profile.begin() + static_cast<std::ptrdiff_t>(first),
-                           profile.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  std::uint8_t least = profile[first];
+  for (std::size_t i = first + 1; i <= last; ++i) least = std::min(least, profile[i]);
+  return static_cast<float>(least);
 }
 
 // Where the profile crosses `level` between sample i and i + 1.
 float crossing(Profile profile, std::size_t i, float level) {
-  const float step = profile[i + 1] - profile[i];
-  const float t = std::abs(step) > 1e-3F ? (level - profile[i]) / step : 0.5F;
+  const auto here = static_cast<float>(profile[i]);
+  const float step = static_cast<float>(profile[i + 1]) - here;
+  const float t = std::abs(step) > 0.5F ? (level - here) / step : 0.5F;
   return static_cast<float>(i) + std::clamp(t, 0.0F, 1.0F);
 }
 
@@ -233,24 +235,36 @@ std::optional<LinePoint> point_of(const Line& line, const Bump& bump, const Line
 }
 
 // Whether the profile rises by at least `least` about sample `i`, and nowhere steeper beside it.
-bool is_rise(Profile y, std::size_t i, float least) {
-  const float slope = y[i + 1] - y[i - 1];
+bool is_rise(Profile y, std::size_t i, std::uint8_t least) {
+  const int slope = y[i + 1] - y[i - 1];
   return slope >= least && slope >= y[i] - y[i - 1] && slope >= y[i + 2] - y[i];
 }
 
+// The same of sixteen samples, a bit for each.
+std::uint32_t rises_at(Profile y, std::size_t i, std::uint8_t least) {
+  const auto here = load_lanes<SixteenBytes>(&y[i]);
+  const auto next = load_lanes<SixteenBytes>(&y[i + 1]);
+  const SixteenBytes slope = excess(next, load_lanes<SixteenBytes>(&y[i - 1]));
+  const SixteenBytes behind = excess(load_lanes<SixteenBytes>(&y[i + 2]), here);
+  return bits_of(
+      std::bit_cast<SixteenBytes>((slope >= least) & (next >= here) & (slope >= behind)));
+}
+
 // The first such sample from `i` on; where there is none, one too near to the end for any.
-std::size_t next_rise(Profile y, std::size_t i, float least) {
-  for (; i + kLanes + 1 < y.size(); i += kLanes) {
-    const auto before = load_lanes<FourFloats>(&y[i - 1]);
-    const auto here = load_lanes<FourFloats>(&y[i]);
-    const FourFloats slope = load_lanes<FourFloats>(&y[i + 1]) - before;
-    const FourInts is_steepest = (slope >= least) & (slope >= here - before) &
-                                 (slope >= load_lanes<FourFloats>(&y[i + 2]) - here);
-    const std::uint32_t bits = bits_of(is_steepest);
+std::size_t next_rise(Profile y, std::size_t i, std::uint8_t least) {
+  constexpr std::size_t kAtOnce = sizeof(SixteenBytes);
+  for (; i + kAtOnce + 2 <= y.size(); i += kAtOnce) {
+    const std::uint32_t bits = rises_at(y, i, least);
     if (bits != 0) return i + static_cast<std::size_t>(std::countr_zero(bits));
   }
-  while (i + 2 < y.size() && !is_rise(y, i, least)) ++i;
-  return i;
+  if (y.size() < kAtOnce + 3) {
+    while (i + 2 < y.size() && !is_rise(y, i, least)) ++i;
+    return i;
+  }
+  // The last ones once more, without those before `i`.
+  const std::size_t first = y.size() - kAtOnce - 2;
+  const std::uint32_t bits = i + 2 < y.size() ? rises_at(y, first, least) >> (i - first) : 0;
+  return bits != 0 ? i + static_cast<std::size_t>(std::countr_zero(bits)) : y.size();
 }
 
 }  // namespace
@@ -264,7 +278,7 @@ void find_line_points(const PixelReader& pixels,
                         static_cast<float>(rules.min_contrast)};
   const Line line(scan);
   const Profile y = scan.luminance;
-  const float steep = kSteepness * bumps.contrast;
+  const auto steep = static_cast<std::uint8_t>(std::ceil(kSteepness * bumps.contrast));
   for (std::size_t i = next_rise(y, 1, steep); i + 2 < y.size() && points.size() < kMaxLinePoints;
        i = next_rise(y, i + 1, steep)) {
     const auto bump = bump_at(line, y, i, bumps);

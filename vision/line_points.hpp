@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,9 +37,9 @@ inline constexpr double kWidestCrossing = 1.6;
 /// A piece of a scan line with what was read along it.
 struct ScanProfile {
   std::span<const ScanSample> samples;
-  std::span<const SampleTap> taps;   ///< about a pixel apart, the first at the first sample
-  std::span<const float> luminance;  ///< at each tap, from read_luminance
-  std::size_t pitch{1};              ///< taps from one sample to the next
+  std::span<const SampleTap> taps;          ///< about a pixel apart, the first at the first sample
+  std::span<const std::uint8_t> luminance;  ///< at each tap, from read_luminance
+  std::size_t pitch{1};                     ///< taps from one sample to the next
 };
 
 /// Appends the line points of a piece of a scan line.

@@ -20,6 +20,8 @@ static_assert(std::endian::native == std::endian::little);
 
 constexpr std::uint32_t kTwoBytes = 0x00FF00FF;
 constexpr std::uint32_t kWhole = 256;  // of a tap's weights
+constexpr int kShift = 15;             // of sums over a tap's four pixels
+constexpr int kHalf = 1 << (kShift - 1);
 constexpr std::size_t kWidestWindow = 127;
 constexpr std::size_t kSpare = ChromaReader::kSpare;
 static_assert(kSpare >= kLanes);
@@ -93,47 +95,43 @@ struct Other {
   static FourWords chromas(const FourWords& pairs) { return pairs; }
 };
 
-// Two luminances in each lane weighed by how far right the place is; times 256.
-FourFloats weighed(const FourWords& luminances, const FourWords& right) {
-  // 256 - right and right; no product needs more than sixteen bits.
+/// @param above  luminances of the pixels left and right above four places, sixteen bits each
+/// @param under  the same under them
+/// @param within  right (lowest byte) and below (next) of those places' taps
+FourInts interpolated(const FourWords& above, const FourWords& under, const FourWords& within) {
+  const FourWords right = within & 0xFFU;
+  const FourWords below = within >> 8U & 0xFFU;
+  const auto top = std::bit_cast<EightHalves>(above);
+  const auto bottom = std::bit_cast<EightHalves>(under);
+  // No more than sixteen bits, whatever the parts of the sum come to.
+  const EightHalves left_and_right =
+      (top << 8) + (bottom - top) * std::bit_cast<EightHalves>(below | below << 16U);
   const FourWords weights = kWhole + (right << 16U) - right;
-  const FourWords products = std::bit_cast<FourWords>(std::bit_cast<EightHalves>(luminances) *
-                                                      std::bit_cast<EightHalves>(weights));
-  return to_floats(std::bit_cast<FourInts>((products & 0xFFFFU) + (products >> 16U)));
+  const FourInts sums = pair_products(std::bit_cast<EightShorts>(left_and_right >> 1),
+                                      std::bit_cast<EightShorts>(weights));
+  return (sums + kHalf) >> kShift;
 }
 
-/// @param words  of a pixel and its right neighbour each, above and below four places
-/// @param within  right and below, of those places' taps
-FourFloats interpolated(const FourWords& above, const FourWords& under, const FourWords& within) {
-  const FourFloats top = weighed(above, within & 0xFFU);
-  const FourFloats bottom = weighed(under, within & 0xFFU);
-  const FourFloats below = to_floats(std::bit_cast<FourInts>(within >> 8U & 0xFFU));
-  // Twenty-four bits: a float holds all of them.
-  return (static_cast<float>(kWhole) * top + (bottom - top) * below) * 0x1p-16F;
+// Of four taps, how far right (lowest byte) and below (next) of their corners they are.
+FourWords within_of(const SampleTap* taps) {
+  const auto first = load_lanes<FourWords>(taps);
+  const auto second = load_lanes<FourWords>(taps + 2);
+  return __builtin_shufflevector(first, second, 1, 3, 5, 7);
 }
-
-/// Of four taps: how far right (lowest byte) and below (next) of their corners they are.
-struct FourTaps {
-  explicit FourTaps(const SampleTap* taps) {
-    const auto first = load_lanes<FourWords>(taps);
-    const auto second = load_lanes<FourWords>(taps + 2);
-    within = __builtin_shufflevector(first, second, 1, 3, 5, 7);
-  }
-
-  FourWords within;
-};
 
 template <class Format>
-void read_four(const Format& format, std::size_t width, const SampleTap* taps, float* luminance) {
+void read_four(const Format& format,
+               std::size_t width,
+               const SampleTap* taps,
+               std::uint8_t* luminance) {
   const auto words = [&](std::size_t row) {
     return FourWords{format.word(taps[0].corner + row),
                      format.word(taps[1].corner + row),
                      format.word(taps[2].corner + row),
                      format.word(taps[3].corner + row)};
   };
-  store_lanes(
-      interpolated(
-          Format::luminances(words(0)), Format::luminances(words(width)), FourTaps(taps).within),
+  store_bytes(
+      interpolated(Format::luminances(words(0)), Format::luminances(words(width)), within_of(taps)),
       luminance);
 }
 
@@ -141,7 +139,7 @@ template <class Format>
 void read_format(const Format& format,
                  std::size_t width,
                  std::span<const SampleTap> taps,
-                 std::span<float> luminance) {
+                 std::span<std::uint8_t> luminance) {
   const std::size_t n = taps.size();
   for (std::size_t i = 0; i + kLanes <= n; i += kLanes) {
     read_four(format, width, &taps[i], &luminance[i]);
@@ -155,7 +153,7 @@ void read_format(const Format& format,
   std::array<SampleTap, kLanes> few{};
   few.fill(taps.back());
   std::ranges::copy(taps, few.begin());
-  std::array<float, kLanes> read{};
+  std::array<std::uint8_t, kLanes> read{};
   read_four(format, width, few.data(), read.data());
   std::copy_n(read.begin(), n, luminance.begin());
 }
@@ -197,7 +195,7 @@ void read_chroma(const PixelReader& pixels,
 
 void read_luminance(const PixelReader& pixels,
                     std::span<const SampleTap> taps,
-                    std::span<float> luminance) {
+                    std::span<std::uint8_t> luminance) {
   TEAMSIGHT_EXPECT(taps.size() == luminance.size());
   const std::size_t width = pixels.width();
   switch (pixels.format()) {

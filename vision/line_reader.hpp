@@ -11,12 +11,12 @@
 
 namespace teamsight::vision {
 
-/// Luminance interpolated between the four pixels around each place, grey levels.
+/// Luminance interpolated between the four pixels around each place, rounded to grey levels.
 ///
 /// @param luminance  one for each tap
 void read_luminance(const PixelReader& pixels,
                     std::span<const SampleTap> taps,
-                    std::span<float> luminance);
+                    std::span<std::uint8_t> luminance);
 
 /// Chroma of single pixels is noisy, more so in the dark: its mean over a window of the line.
 class ChromaReader {

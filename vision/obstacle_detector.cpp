@@ -76,11 +76,11 @@ std::size_t dark_start(const RadialScan& scan, const ScanRange& range, std::size
   float count = 0.0F;
   for (std::size_t k = first - std::min(first, kMostVeiled); k < first; ++k) {
     if (surfaces[k] != Surface::kCarpet) continue;
-    sum += luminance[k];
+    sum += static_cast<float>(luminance[k]);
     count += 1.0F;
   }
   if (count < kFewestCarpet) return i;
-  while (i > first && luminance[i - 1] * count < kVeiled * sum) --i;
+  while (i > first && static_cast<float>(luminance[i - 1]) * count < kVeiled * sum) --i;
   return i;
 }
 

@@ -100,7 +100,7 @@ struct Perception::Tables {
   GoalDetector goals;
   VirtualSensors sensors;
   PostureEstimator posture;
-  std::vector<float> profile;
+  std::vector<std::uint8_t> profile;
   FieldColourMeter field_meter;
   std::vector<SampledColour> floor;
   FrameObservation observation;

@@ -2,8 +2,6 @@
 #include "vision/radial_scan.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 #include "vision/lanes.hpp"
@@ -16,25 +14,7 @@ constexpr std::size_t kRealCarpet = 3;     // samples in a row
 constexpr std::size_t kOffCarpet = 16;     // samples without carpet or paint: it has ended
 constexpr std::size_t kLongestPaint = 60;  // samples; a line seen from its end
 
-constexpr std::size_t kTogether = 8;  // samples whose chroma is measured at once
-
-EightShorts absolute(const EightShorts& lanes) {
-  const EightShorts sign = lanes < 0;
-  return (lanes ^ sign) - sign;
-}
-
-static_assert(ChromaReader::kSpare >= kTogether);
-
-// Distances from grey of kTogether chromas, within 4 % of the Euclidean length.
-void measure_lengths(const Chroma* chromas, std::uint8_t* lengths) {
-  const auto pairs = load_lanes<EightHalves>(chromas);
-  const EightShorts du = absolute(std::bit_cast<EightShorts>(pairs & 0xFFU) - 128);
-  const EightShorts dv = absolute(std::bit_cast<EightShorts>(pairs >> 8U) - 128);
-  const EightShorts is_u = du > dv;
-  const EightShorts larger = (du & is_u) | (dv & ~is_u);
-  const EightShorts smaller = du + dv - larger;
-  store_lanes(__builtin_convertvector(larger + (smaller * 3 >> 3), EightBytes), lengths);
-}
+constexpr std::size_t kStride = 4;  // samples; the carpet is measured by thousands
 
 // The chroma in grey light as bright as the frame's.
 Chroma without_cast(const SampledColour& restored, float exposure) {
@@ -48,52 +28,32 @@ Chroma without_cast(const SampledColour& restored, float exposure) {
 
 /// One line: what was read of it, and what is made of that.
 struct LineReading {
-  std::span<const float> luminance;
+  std::span<const std::uint8_t> luminance;
   std::span<const Chroma> chroma;
   std::span<ColourClass> classes;
-  std::span<std::uint8_t> chromas;  // longer by kTogether, which are written as well
+  std::span<Chroma> uncast;
 };
 
 // In the camera file's light: colours are what they seem.
-void classify_as_read(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
-  const std::size_t n = line.classes.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto y = static_cast<std::uint8_t>(line.luminance[i]);
-    const Chroma chroma = line.chroma[i];
-    const ColourClass colour = colours.of(SampledColour{y, chroma.u, chroma.v});
-    line.classes[i] = colour;
-    if (colour == ColourClass::kGreen) meter.add_green(y, chroma);
-  }
-  for (std::size_t i = 0; i < n; i += kTogether) {
-    measure_lengths(line.chroma.data() + i, &line.chromas[i]);
-  }
+void classify_as_read(const ColourClasses& colours, const LineReading& line) {
+  colours.classify(line.luminance, line.chroma, line.classes);
+  std::ranges::copy(line.chroma, line.uncast.begin());
 }
 
-void classify_restored(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
-  const std::size_t n = line.classes.size();
+void classify_restored(const ColourClasses& colours, const LineReading& line) {
   const float exposure = colours.exposure();
-  std::array<Chroma, kTogether> uncast{};
-  for (std::size_t first = 0; first < n; first += kTogether) {
-    for (std::size_t i = first; i < std::min(first + kTogether, n); ++i) {
-      const auto y = static_cast<std::uint8_t>(line.luminance[i]);
-      const SampledColour restored = colours.restored(y, line.chroma[i]);
-      const ColourClass colour = colours.of(restored);
-      const Chroma chroma = without_cast(restored, exposure);
-      uncast[i - first] = chroma;
-      line.classes[i] = colour;
-      if (colour == ColourClass::kGreen) meter.add_green(y, chroma);
-    }
-    measure_lengths(uncast.data(), &line.chromas[first]);
+  for (std::size_t i = 0; i < line.classes.size(); ++i) {
+    const SampledColour restored = colours.restored(line.luminance[i], line.chroma[i]);
+    line.classes[i] = colours.of(restored);
+    line.uncast[i] = without_cast(restored, exposure);
   }
 }
 
-void classify_line(const ColourClasses& colours, const LineReading& line, CarpetMeter& meter) {
-  if (colours.is_adapted()) {
-    classify_restored(colours, line, meter);
-  } else {
-    classify_as_read(colours, line, meter);
+void measure_carpet(const LineReading& line, CarpetMeter& meter) {
+  for (std::size_t i = 0; i < line.classes.size(); i += kStride) {
+    if (line.classes[i] == ColourClass::kGreen) meter.add_green(line.luminance[i], line.uncast[i]);
   }
-  meter.add_samples(line.classes.size());
+  meter.add_samples((line.classes.size() + kStride - 1) / kStride);
 }
 
 }  // namespace
@@ -104,7 +64,7 @@ RadialScan::RadialScan(const ScanLines& lines, std::size_t chroma_window)
   for (const ScanRange& range : lines.radial()) size = std::max(size, range.first + range.count);
   luminance_.resize(size);
   classes_.resize(size);
-  chromas_.resize(size + kTogether);
+  chroma_.resize(size);
   levels_.resize(size);
   surfaces_.resize(size);
   carpet_ends_.reserve(lines.radial().size());
@@ -128,12 +88,16 @@ void RadialScan::classify(const PixelReader& pixels,
     const auto taps = lines.taps(range);
     const auto luminance = std::span(luminance_).subspan(range.first, range.count);
     read_luminance(pixels, taps, luminance);
-    classify_line(colours,
-                  {luminance,
-                   chroma_reader_.read(pixels, lines.pixels(range)),
-                   std::span(classes_).subspan(range.first, range.count),
-                   std::span(chromas_).subspan(range.first, range.count + kTogether)},
-                  meter);
+    const LineReading line{luminance,
+                           chroma_reader_.read(pixels, lines.pixels(range)),
+                           std::span(classes_).subspan(range.first, range.count),
+                           std::span(chroma_).subspan(range.first, range.count)};
+    if (colours.is_adapted()) {
+      classify_restored(colours, line);
+    } else {
+      classify_as_read(colours, line);
+    }
+    measure_carpet(line, meter);
   }
   meter_ = meter;
 }
@@ -160,7 +124,7 @@ std::size_t RadialScan::find_carpet_end(const ScanRange& range) const {
 void RadialScan::judge(const ScanLines& lines) {
   const float level = carpet_.luminance;
   const float saturation = level > 0.0F ? std::hypot(carpet_.u, carpet_.v) / level : 0.0F;
-  const ReadSamples samples{classes_, luminance_, std::span(chromas_).first(surfaces_.size())};
+  const ReadSamples samples{classes_, luminance_, chroma_};
   follow_carpet(samples, lines.radial(), level, levels_);
   judge_surfaces(samples, levels_, saturation, surfaces_);
 }

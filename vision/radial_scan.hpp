@@ -26,7 +26,7 @@ class RadialScan {
   void read(const PixelReader& pixels, const ColourClasses& colours, const ScanLines& lines);
 
   /// In the order of the samples of `lines`; valid until the next call of read.
-  [[nodiscard]] std::span<const float> luminance(const ScanRange& range) const {
+  [[nodiscard]] std::span<const std::uint8_t> luminance(const ScanRange& range) const {
     return std::span(luminance_).subspan(range.first, range.count);
   }
 
@@ -52,10 +52,10 @@ class RadialScan {
   [[nodiscard]] std::size_t find_carpet_end(const ScanRange& range) const;
 
   ChromaReader chroma_reader_;
-  std::vector<float> luminance_;
+  std::vector<std::uint8_t> luminance_;
   std::vector<ColourClass> classes_;
-  std::vector<std::uint8_t> chromas_;  // distance from grey
-  std::vector<float> levels_;          // of the carpet beside
+  std::vector<Chroma> chroma_;  // without a cast of the light
+  std::vector<float> levels_;   // of the carpet beside
   std::vector<Surface> surfaces_;
   std::vector<std::size_t> carpet_ends_;
   CarpetMeter meter_;

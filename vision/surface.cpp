@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdlib>
 
 #include "geometry/expect.hpp"
 #include "vision/lanes.hpp"
@@ -41,7 +42,7 @@ float followed(float level, ColourClass colour, float y) {
 FourFloats green_from(const ReadSamples& samples, std::size_t first) {
   const FourInts is_green =
       load_bytes(&samples.classes[first]) == static_cast<std::int32_t>(ColourClass::kGreen);
-  return where(is_green, load_lanes<FourFloats>(&samples.luminance[first]), FourFloats{});
+  return where(is_green, to_floats(load_bytes(&samples.luminance[first])), FourFloats{});
 }
 
 /// The running levels of four lines beside each other: each waits for its last, but not for the
@@ -93,7 +94,7 @@ void follow_rest(const ReadSamples& samples,
                  std::span<float> levels) {
   for (std::size_t i = line.first + place; i < line.first + line.count; ++i) {
     levels[i] = level;
-    level = followed(level, samples.classes[i], samples.luminance[i]);
+    level = followed(level, samples.classes[i], static_cast<float>(samples.luminance[i]));
   }
 }
 
@@ -148,7 +149,29 @@ FourInts surfaces_of(const FourInts& colours,
   return where((y < kBlack * carpet) | is_veiled, all(Surface::kDark), surface);
 }
 
+FourInts absolute(const FourInts& lanes) {
+  const FourInts sign = lanes < 0;
+  return (lanes ^ sign) - sign;
+}
+
+// As distance_from_grey, of four samples.
+FourFloats distances_from_grey(const Chroma* chroma) {
+  static_assert(sizeof(Chroma) == 2);
+  const auto pairs =
+      std::bit_cast<FourInts>(__builtin_convertvector(load_lanes<FourHalves>(chroma), FourWords));
+  const FourInts du = absolute((pairs & 0xFF) - 128);
+  const FourInts dv = absolute((pairs >> 8) - 128);
+  const FourInts larger = where(du > dv, du, dv);
+  return to_floats(larger + ((du + dv - larger) * 3 >> 3));
+}
+
 }  // namespace
+
+float distance_from_grey(Chroma chroma) {
+  const int du = std::abs(chroma.u - 128);
+  const int dv = std::abs(chroma.v - 128);
+  return static_cast<float>(std::max(du, dv) + (std::min(du, dv) * 3 >> 3));
+}
 
 Surface surface_of(const Look& look) {
   const auto& [colour, y, chroma, carpet, saturation] = look;
@@ -183,11 +206,11 @@ void judge_surfaces(const ReadSamples& samples,
                     std::span<Surface> surfaces) {
   const std::size_t n = surfaces.size();
   TEAMSIGHT_EXPECT(samples.classes.size() == n && samples.luminance.size() == n &&
-                   samples.chromas.size() == n && levels.size() == n);
+                   samples.chroma.size() == n && levels.size() == n);
   std::size_t i = 0;
   for (; i + kLanes <= n; i += kLanes) {
     const FourInts colours = load_bytes(&samples.classes[i]);
-    const auto y = load_lanes<FourFloats>(&samples.luminance[i]);
+    const FourFloats y = to_floats(load_bytes(&samples.luminance[i]));
     const auto carpet = load_lanes<FourFloats>(&levels[i]);
     const FourInts is_lit = y >= kDark * carpet;
     const FourInts is_green = colours == static_cast<std::int32_t>(ColourClass::kGreen);
@@ -196,13 +219,15 @@ void judge_surfaces(const ReadSamples& samples,
       store_bytes(FourInts{} + static_cast<std::int32_t>(Surface::kCarpet), &surfaces[i]);
       continue;
     }
-    const FourFloats chroma = to_floats(load_bytes(&samples.chromas[i]));
+    const FourFloats chroma = distances_from_grey(&samples.chroma[i]);
     store_bytes(surfaces_of(colours, y, chroma, carpet, saturation), &surfaces[i]);
   }
   for (; i < n; ++i) {
-    const auto chroma = static_cast<float>(samples.chromas[i]);
-    surfaces[i] =
-        surface_of({samples.classes[i], samples.luminance[i], chroma, levels[i], saturation});
+    surfaces[i] = surface_of({samples.classes[i],
+                              static_cast<float>(samples.luminance[i]),
+                              distance_from_grey(samples.chroma[i]),
+                              levels[i],
+                              saturation});
   }
 }
 

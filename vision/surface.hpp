@@ -5,6 +5,7 @@
 #include <span>
 
 #include "vision/camera_parameters.hpp"
+#include "vision/pixel_reader.hpp"
 #include "vision/scan_lines.hpp"
 
 namespace teamsight::vision {
@@ -34,9 +35,12 @@ struct Look {
 /// What was read of a row of samples, one of each for each of them.
 struct ReadSamples {
   std::span<const ColourClass> classes;
-  std::span<const float> luminance;
-  std::span<const std::uint8_t> chromas;  ///< distances from grey
+  std::span<const std::uint8_t> luminance;
+  std::span<const Chroma> chroma;
 };
+
+/// How far a chroma lies from grey, within 4 % of the Euclidean length.
+[[nodiscard]] float distance_from_grey(Chroma chroma);
 
 /// How bright the carpet is beside each sample of each line.
 ///

@@ -42,7 +42,7 @@ class Row {
       samples.push_back({static_cast<float>(u), 0.0F, x, 0.0F, 0.01F, 0.01F});
     }
     const PixelReader pixels({bytes_, kWidth, kHeight, PixelFormat::kYuyv});
-    std::vector<float> read(taps.size());
+    std::vector<std::uint8_t> read(taps.size());
     read_luminance(pixels, taps, read);
     ColourParameters colours;
     colours.white_min_y = 150;

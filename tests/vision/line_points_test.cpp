@@ -13,13 +13,13 @@ namespace {
 constexpr std::uint32_t kWidth = 64;
 constexpr std::uint32_t kHeight = 2;
 constexpr double kMetresPerPixel = 0.02;
-constexpr float kGreenY = 87.0F;
+constexpr std::uint8_t kGreenY = 87;
 
 /// A straight look along a row of carpet, 20 mm to the pixel, one sample for each.
 struct Look {
   Look() : bytes(frame_bytes(PixelFormat::kYuyv, kWidth, kHeight)) {
     for (std::size_t i = 0; i < bytes.size(); i += 4) {
-      bytes[i] = bytes[i + 2] = static_cast<std::uint8_t>(kGreenY);
+      bytes[i] = bytes[i + 2] = kGreenY;
       bytes[i + 1] = 101;
       bytes[i + 3] = 94;
     }
@@ -32,11 +32,11 @@ struct Look {
   }
 
   // `width` pixels of paint about `middle`, edges that take two pixels.
-  void paint(double middle, double width, float contrast) {
+  void paint(double middle, double width, double contrast) {
     for (std::size_t i = 0; i < luminance.size(); ++i) {
       const double inside = 0.5 * width - std::abs(static_cast<double>(i) - middle);
       const double covered = std::clamp(0.5 + 0.5 * inside, 0.0, 1.0);
-      luminance[i] += static_cast<float>(covered) * contrast;
+      luminance[i] = static_cast<std::uint8_t>(std::lround(luminance[i] + covered * contrast));
     }
   }
 
@@ -56,13 +56,13 @@ struct Look {
   std::vector<std::uint8_t> bytes;
   std::vector<SampleTap> taps;
   std::vector<ScanSample> samples;
-  std::vector<float> luminance;
+  std::vector<std::uint8_t> luminance;
 };
 
 TEST(LinePoints, AreFoundWhereverOnTheLineThePaintLies) {
   for (double middle = 9.0; middle < 53.0; middle += 0.25) {
     Look look;
-    look.paint(middle, 6.25, 100.0F);
+    look.paint(middle, 6.25, 100.0);
 
     const auto points = look.points();
 
@@ -74,8 +74,8 @@ TEST(LinePoints, AreFoundWhereverOnTheLineThePaintLies) {
 
 TEST(LinePoints, AreTwoForTwoLinesBesideEachOther) {
   Look look;
-  look.paint(20.0, 6.25, 100.0F);
-  look.paint(40.0, 6.25, 60.0F);
+  look.paint(20.0, 6.25, 100.0);
+  look.paint(40.0, 6.25, 60.0);
 
   const auto points = look.points();
 
@@ -86,11 +86,11 @@ TEST(LinePoints, AreTwoForTwoLinesBesideEachOther) {
 
 TEST(LinePoints, AreNoneOfWhatIsTooFaintOrNotAsWideAsPaint) {
   Look faint;
-  faint.paint(30.0, 6.25, 15.0F);
+  faint.paint(30.0, 6.25, 15.0);
   Look wide;
-  wide.paint(30.0, 16.0, 100.0F);
+  wide.paint(30.0, 16.0, 100.0);
   Look edge;
-  edge.paint(60.0, 30.0, 100.0F);
+  edge.paint(60.0, 30.0, 100.0);
 
   EXPECT_TRUE(faint.points().empty());
   EXPECT_TRUE(wide.points().empty());

@@ -77,19 +77,19 @@ Chroma mean_around(const PixelReader& pixels,
   return {static_cast<std::uint8_t>(u / window), static_cast<std::uint8_t>(v / window)};
 }
 
-TEST(LineReader, InterpolatesTheLuminanceOfEveryFormatExactly) {
+TEST(LineReader, InterpolatesTheLuminanceOfEveryFormatToGreyLevels) {
   std::mt19937 random(1);
   for (const PixelFormat format : kFormats) {
     const auto bytes = noise(format, random);
     const PixelReader pixels({bytes, kWidth, kHeight, format});
     for (std::size_t count = 1; count < 14; ++count) {
       const auto taps = some_taps(count, random);
-      std::vector<float> luminance(count);
+      std::vector<std::uint8_t> luminance(count);
 
       read_luminance(pixels, taps, luminance);
 
       for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(luminance[i], bilinear(pixels, taps[i])) << count << " samples, " << i;
+        EXPECT_NEAR(luminance[i], bilinear(pixels, taps[i]), 0.51) << count << " samples, " << i;
       }
     }
   }

@@ -38,21 +38,23 @@ TEST(Surface, IsAShirtOnlyInAStrongColourThatIsNoFringeOfPaint) {
 
 /// Samples as no frame would have them: all surfaces, and values at the limits between them.
 struct Samples {
-  explicit Samples(std::size_t count) : classes(count), luminance(count), chromas(count) {
+  explicit Samples(std::size_t count) : classes(count), luminance(count), chroma(count) {
     std::mt19937 random(3);
     for (std::size_t i = 0; i < count; ++i) {
       classes[i] = static_cast<ColourClass>(random() % 10);
       if (random() % 3 != 0) classes[i] = ColourClass::kGreen;
-      luminance[i] = static_cast<float>(random() % 512) / 2.0F;
-      chromas[i] = static_cast<std::uint8_t>(random() % (random() % 2 == 0 ? 256 : 40));
+      luminance[i] = static_cast<std::uint8_t>(random());
+      const std::uint32_t spread = random() % 2 == 0 ? 256 : 40;
+      chroma[i] = {static_cast<std::uint8_t>(128 - spread / 2 + random() % spread),
+                   static_cast<std::uint8_t>(128 - spread / 2 + random() % spread)};
     }
   }
 
-  [[nodiscard]] ReadSamples read() const { return {classes, luminance, chromas}; }
+  [[nodiscard]] ReadSamples read() const { return {classes, luminance, chroma}; }
 
   std::vector<ColourClass> classes;
-  std::vector<float> luminance;
-  std::vector<std::uint8_t> chromas;
+  std::vector<std::uint8_t> luminance;
+  std::vector<Chroma> chroma;
 };
 
 TEST(Surface, IsTheSameForManySamplesAtOnce) {
@@ -65,10 +67,12 @@ TEST(Surface, IsTheSameForManySamplesAtOnce) {
   judge_surfaces(samples.read(), levels, kSaturation, surfaces);
 
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const auto chroma = static_cast<float>(samples.chromas[i]);
-    EXPECT_EQ(
-        surfaces[i],
-        surface_of({samples.classes[i], samples.luminance[i], chroma, levels[i], kSaturation}))
+    EXPECT_EQ(surfaces[i],
+              surface_of({samples.classes[i],
+                          static_cast<float>(samples.luminance[i]),
+                          distance_from_grey(samples.chroma[i]),
+                          levels[i],
+                          kSaturation}))
         << i;
   }
 }
@@ -79,7 +83,7 @@ std::vector<float> levels_of(const Samples& samples, const ScanRange& line, floa
   float level = start;
   for (std::size_t i = line.first; i < line.first + line.count; ++i) {
     levels.push_back(level);
-    const float y = samples.luminance[i];
+    const auto y = static_cast<float>(samples.luminance[i]);
     if (samples.classes[i] != ColourClass::kGreen) continue;
     if (y > 0.8F * level && y < 1.2F * level) level += 0.12F * (y - level);
   }
