@@ -23,7 +23,7 @@ float turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vect
 
 // How far a place lies to the left of an edge.
 float left_of(const Eigen::Vector3f& edge, const ScanSample& sample) {
-  return edge.dot(Eigen::Vector3f(sample.x, sample.y, 1.0F));
+  return edge.x() * sample.x + edge.y() * sample.y + edge.z();
 }
 
 // The edge through which the straight way from `inside` to `beyond` leaves a convex hull; null if

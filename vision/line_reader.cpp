@@ -249,15 +249,26 @@ std::span<const Chroma> ChromaReader::read(const PixelReader& pixels,
 // next whole mean.
 void ChromaReader::average(std::size_t n) {
   static_assert(sizeof(Chroma) == 2);
+  // What is stored might be members of this, for all that the compiler knows.
+  const std::size_t window = window_;
+  const std::uint32_t shift = shift_;
+  const std::uint32_t* const single = single_.data();
+  Chroma* const mean = mean_.data();
   const EightHalves reciprocal = reciprocal_ + EightHalves{};
-  const auto sums_at = [&](std::size_t i) {
-    auto sums = load_lanes<FourWords>(&single_[i]);
-    for (std::size_t k = 1; k < window_; ++k) sums += load_lanes<FourWords>(&single_[i + k]);
-    const auto halves = std::bit_cast<EightHalves>(sums);
-    return window_ == 1 ? halves : high_products(halves, reciprocal) >> shift_;
-  };
   for (std::size_t i = 0; i < n; i += 2 * kLanes) {
-    store_lanes(to_bytes(sums_at(i), sums_at(i + kLanes)), &mean_[i]);
+    auto one = load_lanes<FourWords>(single + i);
+    auto two = load_lanes<FourWords>(single + i + kLanes);
+    for (std::size_t k = 1; k < window; ++k) {
+      one += load_lanes<FourWords>(single + i + k);
+      two += load_lanes<FourWords>(single + i + kLanes + k);
+    }
+    auto low = std::bit_cast<EightHalves>(one);
+    auto high = std::bit_cast<EightHalves>(two);
+    if (window > 1) {
+      low = high_products(low, reciprocal) >> shift;
+      high = high_products(high, reciprocal) >> shift;
+    }
+    store_lanes(to_bytes(low, high), mean + i);
   }
 }
 

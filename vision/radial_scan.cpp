@@ -37,7 +37,7 @@ struct LineReading {
 // In the camera file's light: colours are what they seem.
 void classify_as_read(const ColourClasses& colours, const LineReading& line) {
   colours.classify(line.luminance, line.chroma, line.classes);
-  std::ranges::copy(line.chroma, line.uncast.begin());
+  std::copy(line.chroma.begin(), line.chroma.end(), line.uncast.begin());
 }
 
 void classify_restored(const ColourClasses& colours, const LineReading& line) {
