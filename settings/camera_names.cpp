@@ -37,6 +37,10 @@ constexpr std::array kClasses{std::pair{Colours::GREEN, ColourClass::kGreen},
                               std::pair{Colours::WHITE, ColourClass::kWhite},
                               std::pair{Colours::BLACK, ColourClass::kBlack}};
 
+constexpr std::array kMethods{std::pair{Colours::SAMPLES, vision::ColourMethod::kSamples},
+                              std::pair{Colours::TABLE, vision::ColourMethod::kTable},
+                              std::pair{Colours::CUBE, vision::ColourMethod::kCube}};
+
 constexpr std::array kKinds{std::pair{CameraFile::Sensor::BUMPER, SensorKind::kBumper},
                             std::pair{CameraFile::Sensor::GOAL, SensorKind::kGoal},
                             std::pair{CameraFile::Sensor::BALL, SensorKind::kBall},
@@ -76,6 +80,14 @@ ColourClass class_of(Colours::Class colour) {
 std::optional<Colours::Class> file_class_of(ColourClass colour) {
   if (colour == ColourClass::kNone) return std::nullopt;
   return outside_of(kClasses, colour);
+}
+
+vision::ColourMethod method_of(Colours::Method method) {
+  return inside_of(kMethods, method);
+}
+
+Colours::Method file_method_of(vision::ColourMethod method) {
+  return outside_of(kMethods, method);
 }
 
 SensorKind kind_of(CameraFile::Sensor::Kind kind) {

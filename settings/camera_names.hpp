@@ -17,6 +17,9 @@ namespace teamsight::settings {
 [[nodiscard]] std::optional<config::CameraFile::Colours::Class> file_class_of(
     vision::ColourClass colour);
 
+[[nodiscard]] vision::ColourMethod method_of(config::CameraFile::Colours::Method method);
+[[nodiscard]] config::CameraFile::Colours::Method file_method_of(vision::ColourMethod method);
+
 [[nodiscard]] vision::SensorKind kind_of(config::CameraFile::Sensor::Kind kind);
 [[nodiscard]] config::CameraFile::Sensor::Kind file_kind_of(vision::SensorKind kind);
 

@@ -7,6 +7,7 @@
 
 #include "settings/camera_names.hpp"
 #include "settings/class_table_file.hpp"
+#include "settings/colour_cube_part.hpp"
 
 namespace teamsight::settings {
 
@@ -78,6 +79,20 @@ void write_look(const vision::SampledColour& colour, CameraFile::Colours::Look& 
   out.set_v(colour.v);
 }
 
+// A method needs what it asks, and a cube that nothing asks is a slip of the pen.
+void check_method(const TextFile& text, const CameraFile::Colours& file) {
+  using Colours = CameraFile::Colours;
+  if (file.method() == Colours::TABLE && !file.has_table()) {
+    throw text.error("colours.method", "TABLE without a table", "colours.table beside it");
+  }
+  if (file.method() == Colours::CUBE && !file.has_cube()) {
+    throw text.error("colours.method", "CUBE without a cube", "colours.cube beside it");
+  }
+  if (file.has_cube() && !file.has_method()) {
+    throw text.error("colours.cube", "a cube, but no method", "colours.method: CUBE, or another");
+  }
+}
+
 bool asks_for_colours(SensorKind kind) {
   return kind == SensorKind::kBumper || kind == SensorKind::kGoal || kind == SensorKind::kColour;
 }
@@ -125,6 +140,9 @@ vision::ColourParameters colours_of(const TextFile& text, const CameraFile::Colo
   if (file.has_table()) {
     colours.table = read_class_table(text.resolve("colours.table", file.table()));
   }
+  if (file.has_cube()) colours.cube = cube_of(text, file.cube());
+  if (file.has_method()) colours.method = method_of(file.method());
+  check_method(text, file);
   if (file.has_light()) colours.light = light_of(text, file.light());
   return colours;
 }
@@ -179,6 +197,8 @@ void write_colours(const vision::ColourParameters& colours, CameraFile::Colours&
     line.set_min_chroma(sector.min_chroma);
     line.set_max_chroma(sector.max_chroma);
   }
+  if (colours.method) out.set_method(file_method_of(*colours.method));
+  if (colours.cube) write_cube(*colours.cube, *out.mutable_cube());
   if (colours.light) {
     write_look(colours.light->green, *out.mutable_light()->mutable_green());
     write_look(colours.light->white, *out.mutable_light()->mutable_white());

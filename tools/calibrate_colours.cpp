@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -24,6 +25,7 @@
 #include "tools/unknown_field.hpp"
 #include "vision/calibration/class_training.hpp"
 #include "vision/calibration/colour_samples.hpp"
+#include "vision/calibration/cube_training.hpp"
 #include "vision/field_colours.hpp"
 #include "vision/perception.hpp"
 
@@ -47,6 +49,8 @@ struct ColourOptions {
   bool balance{false};
   bool light{false};
   bool table{false};
+  bool cube{false};
+  std::vector<std::string> teach;
 };
 
 /// One place in an image that shows a class.
@@ -129,6 +133,20 @@ vision::LabelledColours pixels_at(const Click& click, const vision::CameraParame
   return {click.colour, std::move(pixels)};
 }
 
+ordered_json cube_report(const vision::CubeParameters& cube) {
+  ordered_json report;
+  report["planes"] = ordered_json::array();
+  for (const vision::CubePlane& plane : cube.planes) {
+    report["planes"].push_back({{"red", plane.red},
+                                {"green", plane.green},
+                                {"blue", plane.blue},
+                                {"threshold", plane.threshold}});
+  }
+  report["vertices"] = ordered_json::array();
+  for (const ColourClass colour : cube.classes) report["vertices"].push_back(name_of(colour));
+  return report;
+}
+
 ordered_json report(const vision::ColourParameters& colours) {
   ordered_json line;
   line["white_min_y"] = colours.white_min_y;
@@ -152,6 +170,7 @@ ordered_json report(const vision::ColourParameters& colours) {
                             {"to_deg", std::round(sector.to / kDegree)},
                             {"min_chroma", sector.min_chroma}});
   }
+  if (colours.cube) line["cube"] = cube_report(*colours.cube);
   return line;
 }
 
@@ -184,14 +203,31 @@ std::optional<vision::FieldColours> light_in(vision::CameraParameters camera,
   return std::nullopt;
 }
 
-// Discs in the chroma plane, or a table over luminance and chroma.
-Result<vision::ColourParameters, vision::ColourConflict> taught(
+// By the method that is asked for: discs and hues, a table, or the planes of a cube. Else why not.
+Result<vision::ColourParameters, std::string> taught(
     const vision::ColourParameters& before,
     const std::vector<vision::LabelledColours>& labels,
-    bool as_table) {
-  if (!as_table && !labels.empty()) return vision::colours_from(before, labels);
+    const ColourOptions& options) {
   vision::ColourParameters colours = before;
-  if (as_table) colours.table = vision::train_classes(before, labels);
+  if (options.cube) {
+    colours.method = vision::ColourMethod::kCube;
+    colours.cube = vision::train_cube(labels);
+    if (!colours.cube) {
+      return tl::make_unexpected(
+          std::string("a cube needs samples of GREEN, WHITE and BLACK, and a vertex for the ball"));
+    }
+  } else if (options.table) {
+    colours.method = vision::ColourMethod::kTable;
+    colours.table = vision::train_classes(before, labels);
+  } else if (!labels.empty()) {
+    const auto found = vision::colours_from(before, labels);
+    if (!found) {
+      return tl::make_unexpected(std::string(name_of(found.error().a)) + " and " +
+                                 std::string(name_of(found.error().b)) +
+                                 " look the same in this light: no border between them");
+    }
+    colours = *found;
+  }
   return colours;
 }
 
@@ -201,10 +237,12 @@ std::optional<vision::ColourParameters> colours_in_light(const vision::CameraPar
                                                          const ColourOptions& options) {
   vision::ColourParameters colours = camera.colours;
   const bool has_samples = !options.labels.empty() || !options.samples.empty();
-  if (!colours.table.empty() && (options.balance || (has_samples && !options.table))) {
+  const bool is_plain = vision::method_of(colours) == vision::ColourMethod::kSamples;
+  const bool makes_discs = has_samples && !options.table && !options.cube;
+  if (!is_plain && (options.balance || makes_discs)) {
     throw std::runtime_error(
         options.base +
-        ": found a trained table of classes, expected --sample or --labels with --table");
+        ": found a trained table or a cube, expected --sample or --labels with --table or --cube");
   }
   if (options.balance) {
     const auto found = balanced(camera, options.image);
@@ -218,26 +256,42 @@ std::optional<vision::ColourParameters> colours_in_light(const vision::CameraPar
   return colours;
 }
 
+// All places that are clicked, and what the base's classes say of the pictures that teach.
+std::vector<vision::LabelledColours> labels_of(const vision::CameraParameters& camera,
+                                               const ColourOptions& options) {
+  std::vector<Click> clicks;
+  if (!options.labels.empty()) clicks = clicks_in(options.labels);
+  for (const std::string& text : options.samples) clicks.push_back(click_of(text, options.image));
+  std::vector<vision::LabelledColours> labels;
+  labels.reserve(clicks.size());
+  for (const Click& click : clicks) labels.push_back(pixels_at(click, camera));
+  for (const std::string& image : options.teach) {
+    const ImageFile frame = read_image(image, camera);
+    auto places = vision::labelled_by_classes(frame.view(), camera);
+    std::move(places.begin(), places.end(), std::back_inserter(labels));
+  }
+  return labels;
+}
+
 int calibrate_colours(const ColourOptions& options) {
+  if (options.table && options.cube) {
+    throw std::runtime_error("found --table and --cube, expected one of them");
+  }
+  if (!options.teach.empty() && !options.cube) {
+    throw std::runtime_error("found --teach without --cube, expected both");
+  }
   vision::CameraParameters camera = settings::load_camera(options.base);
   const auto in_light = colours_in_light(camera, options);
   if (!in_light) return kNo;
   camera.colours = *in_light;
-  std::vector<Click> clicks;
-  if (!options.labels.empty()) clicks = clicks_in(options.labels);
-  for (const std::string& text : options.samples) clicks.push_back(click_of(text, options.image));
-  if (clicks.empty() && !options.balance && !options.light) {
+  const std::vector<vision::LabelledColours> labels = labels_of(camera, options);
+  if (labels.empty() && !options.balance && !options.light) {
     throw std::runtime_error(
-        "found neither --sample, --labels, --balance nor --light, expected one of them");
+        "found neither --sample, --labels, --teach, --balance nor --light, expected one of them");
   }
-  std::vector<vision::LabelledColours> labels;
-  labels.reserve(clicks.size());
-  for (const Click& click : clicks) labels.push_back(pixels_at(click, camera));
-  const auto colours = taught(camera.colours, labels, options.table);
+  const auto colours = taught(camera.colours, labels, options);
   if (!colours) {
-    const vision::ColourConflict& conflict = colours.error();
-    std::cerr << "teamsight: " << name_of(conflict.a) << " and " << name_of(conflict.b)
-              << " look the same in this light: no border between them\n";
+    std::cerr << "teamsight: " << colours.error() << '\n';
     return kNo;
   }
   camera.colours = *colours;
@@ -267,6 +321,10 @@ void add_calibrate_colours(CLI::App& calibrate, int& exit_code) {
   colours->add_flag("--table",
                     options->table,
                     "train a table over luminance and chroma by the samples, not discs");
+  colours->add_flag(
+      "--cube", options->cube, "make the planes of the RGB cube by the samples, not discs");
+  colours->add_option(
+      "--teach", options->teach, "pictures whose pixels the base's classes label, for --cube");
   colours->add_option("--out", options->out, "camera file to write");
   colours->callback([options, &exit_code] { exit_code = calibrate_colours(*options); });
 }

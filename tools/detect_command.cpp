@@ -189,10 +189,9 @@ class Drawings {
     const Shot shot{image, viewed.frame, camera_.sensors};
     if (!options_.draw.empty()) draw_sight(options_.draw, shot, field_, *viewed.seen);
     if (sheets_) sheets_->add(marked_frame(shot, *viewed.seen), image.filename().string());
-    if (options_.classes.empty()) return;
-    const std::string name = image.stem().string() + "-classes.png";
-    write_picture(std::filesystem::path(options_.classes) / name,
-                  class_picture(viewed.frame, colours_));
+    for (const std::string& folder : {options_.draw, options_.classes}) {
+      if (!folder.empty()) draw_classes(folder, image, viewed);
+    }
   }
 
   void finish() {
@@ -200,6 +199,13 @@ class Drawings {
   }
 
  private:
+  void draw_classes(const std::filesystem::path& folder,
+                    const std::filesystem::path& image,
+                    const Viewed& viewed) const {
+    write_picture(folder / (image.stem().string() + "-classes.png"),
+                  class_picture(viewed.frame, colours_));
+  }
+
   const DetectOptions& options_;
   const vision::CameraParameters& camera_;
   const FieldModel& field_;
@@ -234,7 +240,10 @@ void add_detect_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("detect", "Finds balls, obstacles and free space");
   command->add_option("--camera", options->camera, "camera file")->required();
   command->add_option("--field", options->field, "field file; drops what stands off the carpet");
-  command->add_option("--draw", options->draw, "folder for an SVG and a PNG of each image");
+  command->add_option(
+      "--draw",
+      options->draw,
+      "folder for an SVG and PNGs of each image, one with its pixels' colour classes");
   command->add_option(
       "--classes", options->classes, "folder for each image beside its pixels' colour classes");
   command->add_option(

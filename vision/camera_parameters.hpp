@@ -132,17 +132,55 @@ using ClassTable = std::vector<ColourClass>;
   return std::size_t{colour.y} >> 2U << 12U | std::size_t{colour.u} >> 2U << 6U | colour.v >> 2U;
 }
 
+/// A plane through colour space: a colour is bright where the weighted sum of its red, green and
+/// blue exceeds the threshold.
+struct CubePlane {
+  double red{0.0};  ///< weights
+  double green{0.0};
+  double blue{0.0};
+  double threshold{0.0};  ///< grey levels
+
+  friend bool operator==(const CubePlane&, const CubePlane&) = default;
+};
+
+/// The founding paper's eight colours: which of the RGB cube's vertices a colour is nearest to, and
+/// what that one shows.
+struct CubeParameters {
+  /// Along the cube's red, green and blue axis, in any linear combination of the sensor's.
+  std::array<CubePlane, 3> planes{};
+  /// By vertex: 1 red, 2 green, 4 blue, and their sums; kNone: shows nothing that matters.
+  std::array<ColourClass, 8> classes{};
+
+  friend bool operator==(const CubeParameters&, const CubeParameters&) = default;
+};
+
+/// What says a colour's class.
+enum class ColourMethod : std::uint8_t {
+  kSamples,  ///< discs in the chroma plane, then hue sectors
+  kTable,    ///< a trained table over luminance and chroma
+  kCube,     ///< the nearest vertex of the RGB cube
+};
+
 struct ColourParameters {
   std::uint8_t white_min_y{160};
   std::uint8_t black_max_y{40};
   std::vector<ColourSample> samples;
   std::vector<HueSector> sectors;  ///< asked where no sample's disc reaches; the first one counts
-  ClassTable table;                ///< empty: samples and sectors decide; else they are not asked
+  ClassTable table;                ///< empty: there is none
+  std::optional<CubeParameters> cube;
+  /// Nothing: the table if there is one, else samples and sectors.
+  std::optional<ColourMethod> method;
   /// What the field looked like when all these were chosen; nothing: nobody has said so.
   std::optional<FieldColours> light;
 
   friend bool operator==(const ColourParameters&, const ColourParameters&) = default;
 };
+
+/// Which of them says a colour's class; the others are not asked.
+[[nodiscard]] inline ColourMethod method_of(const ColourParameters& colours) {
+  return colours.method.value_or(colours.table.empty() ? ColourMethod::kSamples
+                                                       : ColourMethod::kTable);
+}
 
 /// Image directions in which the camera sees only its own robot; counter-clockwise from image
 /// right as one looks at the picture; rad; from `from` counter-clockwise to `to`.

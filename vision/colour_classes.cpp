@@ -1,4 +1,4 @@
-// vision/colour_classes.cpp: filling the chroma table, and the way back from another light.
+// vision/colour_classes.cpp: filling the tables, and the way back from another light.
 #include "vision/colour_classes.hpp"
 
 #include <cmath>
@@ -50,13 +50,21 @@ ColourClass class_at(const ColourParameters& parameters, int u, int v) {
 
 ColourClasses::ColourClasses(const ColourParameters& parameters)
     : trained_(parameters.table),
-      has_table_(!parameters.table.empty()),
+      has_table_(method_of(parameters) == ColourMethod::kTable),
       white_min_y_(parameters.white_min_y),
       black_max_y_(parameters.black_max_y) {
   TEAMSIGHT_EXPECT(!has_table_ || trained_.size() == kClassCells);
   for (std::size_t i = 0; i < table_.size(); ++i) {
     table_[i] = class_at(parameters, static_cast<int>(i & 255U), static_cast<int>(i >> 8U));
   }
+  if (method_of(parameters) != ColourMethod::kCube) return;
+  TEAMSIGHT_EXPECT(parameters.cube.has_value());
+  cube_.emplace(ColourCube::transform_of(parameters.cube->planes));
+  vertex_classes_ = parameters.cube->classes;
+  std::ranges::transform(vertex_classes_, vertex_colours_.begin(), [](ColourClass colour) {
+    const bool has_none = colour == ColourClass::kWhite || colour == ColourClass::kBlack;
+    return has_none ? ColourClass::kNone : colour;
+  });
 }
 
 void ColourClasses::classify(std::span<const std::uint8_t> luminance,
@@ -64,7 +72,7 @@ void ColourClasses::classify(std::span<const std::uint8_t> luminance,
                              std::span<ColourClass> classes) const {
   const std::size_t n = classes.size();
   TEAMSIGHT_EXPECT(luminance.size() == n && chroma.size() == n);
-  if (!has_table_) {
+  if (!has_table_ && !cube_) {
     for (std::size_t i = 0; i < n; ++i) classes[i] = of(chroma[i]);
     return;
   }

@@ -1,21 +1,23 @@
-// vision/colour_classes.hpp: the class of a colour by one look-up in a table.
+// vision/colour_classes.hpp: the class of a colour, by one look-up in a table or by three planes.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "vision/camera_parameters.hpp"
+#include "vision/colour_cube.hpp"
 #include "vision/light_gains.hpp"
 #include "vision/pixel_reader.hpp"
 
 namespace teamsight::vision {
 
-/// Colours cut into classes: by a trained table over luminance and chroma if the camera has one;
-/// else the chroma plane is cut, each place belonging to the nearest sample whose disc holds it,
-/// else to the first hue sector that does.
+/// Colours cut into classes, by the camera's method: a trained table over luminance and chroma; the
+/// nearest vertex of the RGB cube; or the chroma plane is cut, each place belonging to the nearest
+/// sample whose disc holds it, else to the first hue sector that does.
 ///
 /// In another light colours are first taken back to the one that the classes were made for.
 class ColourClasses {
@@ -44,7 +46,8 @@ class ColourClasses {
 
   /// The class of a restored colour; kNone where it has none, as black, grey and white.
   [[nodiscard]] ColourClass of(const SampledColour& colour) const {
-    return has_table_ ? trained_[class_cell(colour)] : of(Chroma{colour.u, colour.v});
+    if (has_table_) return trained_[class_cell(colour)];
+    return cube_ ? vertex_colours_[cube_->vertex(colour)] : of(Chroma{colour.u, colour.v});
   }
 
   /// The same of many colours, one class for each.
@@ -60,9 +63,11 @@ class ColourClasses {
   /// By samples and sectors alone, in the camera file's light.
   [[nodiscard]] ColourClass of(Chroma chroma) const { return table_[cell_of(chroma)]; }
 
-  /// As `chromatic`, and where that is no colour by luminance: kBlack, kWhite or kNone.
+  /// As `chromatic`, and where that is no colour: kBlack, kWhite or kNone, by luminance, or by the
+  /// cube's own black and white vertex.
   [[nodiscard]] ColourClass of(std::uint8_t y, Chroma chroma) const {
     const SampledColour colour = restored(y, chroma);
+    if (cube_) return vertex_classes_[cube_->vertex(colour)];
     const ColourClass known = of(colour);
     if (known != ColourClass::kNone) return known;
     if (colour.y <= black_max_y_) return ColourClass::kBlack;
@@ -88,6 +93,9 @@ class ColourClasses {
   std::array<ColourClass, std::size_t{256} * 256> table_{};
   ClassTable trained_;
   bool has_table_;
+  std::optional<ColourCube> cube_;  // nothing: another method
+  std::array<ColourClass, 8> vertex_classes_{};
+  std::array<ColourClass, 8> vertex_colours_{};  // kNone where that is black or white
   bool is_adapted_{false};
   float exposure_{1.0F};
   std::array<std::array<int, 3>, 3> back_{};  // fixed point: (y, u, v) to the file's light

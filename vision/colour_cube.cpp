@@ -164,11 +164,24 @@ ColourCube::ColourCube(const Transform& from_yuv)
     : yuv_(planes_of(from_yuv)),
       bgr_(planes_of(from_bgr(from_yuv))) {}
 
-ColourCube::Transform ColourCube::thresholds(const Eigen::Vector3d& thresholds) {
+ColourCube::Transform ColourCube::transform_of(const std::array<CubePlane, 3>& planes) {
+  Eigen::Matrix3d weights;
+  Eigen::Vector3d thresholds;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const CubePlane& plane = planes[static_cast<std::size_t>(axis)];
+    weights.row(axis) << plane.red, plane.green, plane.blue;
+    thresholds(axis) = plane.threshold;
+  }
   Transform transform;
-  transform.leftCols<3>() = yuv_from_rgb().inverse();
+  transform.leftCols<3>() = weights * yuv_from_rgb().inverse();
   transform.col(3) = -thresholds - kMiddle * (transform.col(1) + transform.col(2));
   return transform;
+}
+
+ColourCube::Transform ColourCube::thresholds(const Eigen::Vector3d& thresholds) {
+  return transform_of({CubePlane{1.0, 0.0, 0.0, thresholds(0)},
+                       CubePlane{0.0, 1.0, 0.0, thresholds(1)},
+                       CubePlane{0.0, 0.0, 1.0, thresholds(2)}});
 }
 
 void ColourCube::segment(const ImageView& image, std::span<std::uint8_t> vertices) const {

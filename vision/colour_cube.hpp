@@ -28,6 +28,11 @@ class ColourCube {
   /// @pre no row's weights of y, u and v are all 0
   explicit ColourCube(const Transform& from_yuv);
 
+  /// Of a camera file's planes.
+  ///
+  /// @pre no plane's weights are all 0
+  [[nodiscard]] static Transform transform_of(const std::array<CubePlane, 3>& planes);
+
   /// What a calibrated camera needs no more than: each of red, green and blue against a threshold.
   ///
   /// @param thresholds  of red, green and blue; grey levels

@@ -8,6 +8,84 @@
 namespace teamsight::settings {
 namespace {
 
+// A file whose colours go by a cube, and what may be wrong with it.
+constexpr const char* kCubeCamera = R"(name: "eye"
+width_px: 640
+height_px: 480
+format: UYVY
+radial_table {
+  centre_u_px: 320
+  centre_v_px: 240
+  mirror_height_m: 0.67
+  row { radius_px: 100 distance_m: 1 }
+  row { radius_px: 150 distance_m: 2 }
+  row { radius_px: 180 distance_m: 4 }
+}
+mounting { forward_deg: 90 mirrored: false }
+colours {
+  white_min_y: 150
+  black_max_y: 50
+  method: CUBE
+  cube {
+    red { red: 1 green: -0.5 threshold: 40 }
+    green { green: 1 threshold: 80 }
+    blue { blue: 1 threshold: 90 }
+    vertex { at: YELLOW class: BALL }
+    vertex { at: CYAN }
+  }
+}
+)";
+
+class BadCube : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(BadCube, IsNamedWithPlaceKeyFoundAndExpected) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("eye.textproto", spoil(kCubeCamera, GetParam()));
+
+  const std::string complaint = complaint_of([&] { std::ignore = load_camera(path); });
+
+  EXPECT_EQ(complaint, expected_complaint(path, GetParam()));
+}
+
+// clang-format off
+INSTANTIATE_TEST_SUITE_P(Each, BadCube, testing::Values(
+    Spoilt{"MethodUnknown", "method: CUBE", "method: DISCS", "17:11", "colours.method",
+           "'DISCS'", "one of SAMPLES, TABLE, CUBE"},
+    Spoilt{"TableWithoutATable", "method: CUBE", "method: TABLE", "17:3", "colours.method",
+           "TABLE without a table", "colours.table beside it"},
+    Spoilt{"CubeThatNothingAsks", "  method: CUBE\n", "", "17:3", "colours.cube",
+           "a cube, but no method", "colours.method: CUBE, or another"},
+    Spoilt{"PlaneWithoutWeights", "green { green: 1", "green { green: 0", "20:5", "colours.cube.green",
+           "no weight", "one of red, green or blue"},
+    Spoilt{"PlaneBesideAllColours", "threshold: 80", "threshold: 255", "20:22", "colours.cube.green.threshold",
+           "255", "more than 0 and less than 255, which its weights reach"},
+    Spoilt{"PlaneBelowAllColours", "threshold: 40", "threshold: -127.5", "19:30", "colours.cube.red.threshold",
+           "-127.5", "more than -127.5 and less than 255, which its weights reach"},
+    Spoilt{"PlanesThatDoNotMeet", "blue { blue: 1", "blue { green: 2", "18:3", "colours.cube",
+           "planes that do not meet in one point", "weights that are independent"},
+    Spoilt{"VertexThatIsNone", "at: CYAN", "at: BALL", "23:14", "colours.cube.vertex[1].at",
+           "BALL", "one of the cube's: BLACK, RED, GREEN, YELLOW, BLUE, MAGENTA, CYAN, WHITE"},
+    Spoilt{"VertexTwice", "at: CYAN", "at: YELLOW", "23:14", "colours.cube.vertex[1].at",
+           "YELLOW", "each vertex once"},
+    Spoilt{"NoCarpet", "at: CYAN", "at: GREEN", "18:3", "colours.cube.vertex",
+           "none of class GREEN", "one that shows the carpet"}),
+    name_of_spoilt);
+
+// clang-format on
+
+TEST(LoadCamera, RefusesTheMethodCubeWithoutACube) {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("eye.textproto",
+                   spoil(kRadialCamera,
+                         {"", "black_max_y: 50", "black_max_y: 50 method: CUBE", "", "", "", ""}));
+
+  EXPECT_EQ(complaint_of([&] { std::ignore = load_camera(path); }),
+            path.string() +
+                ":16:19: key 'colours.method': found CUBE without a cube, expected colours.cube "
+                "beside it");
+}
+
 class BadCamera : public testing::TestWithParam<Spoilt> {};
 
 TEST_P(BadCamera, IsNamedWithPlaceKeyFoundAndExpected) {

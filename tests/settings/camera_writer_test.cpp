@@ -138,6 +138,28 @@ TEST(SaveCamera, SaysThatAPlaceCannotBeWritten) {
   EXPECT_THAT(complaint, testing::StartsWith("/nowhere/eye.textproto:1:1: found a place that"));
 }
 
+TEST(SaveCamera, KeepsTheColourCube) {
+  const TemporaryFolder folder;
+  vision::CameraParameters camera = radial_camera(folder);
+  vision::CubeParameters cube;
+  cube.planes = {{{1.0, -0.25, 0.0, 30.5}, {0.0, 1.0, 0.0, 90.0}, {0.0, -0.5, 1.0, 20.0}}};
+  cube.classes = {vision::ColourClass::kBlack,
+                  vision::ColourClass::kRed,
+                  vision::ColourClass::kGreen,
+                  vision::ColourClass::kBall,
+                  vision::ColourClass::kBlue,
+                  vision::ColourClass::kMagenta,
+                  vision::ColourClass::kNone,
+                  vision::ColourClass::kWhite};
+  camera.colours.cube = cube;
+  camera.colours.method = vision::ColourMethod::kCube;
+
+  save_camera(folder.path() / "saved.textproto", camera);
+  const vision::CameraParameters again = load_camera(folder.path() / "saved.textproto");
+
+  EXPECT_EQ(again.colours, camera.colours);
+}
+
 TEST(SaveCamera, KeepsTheLightAndTheTrainedClasses) {
   const TemporaryFolder folder;
   vision::CameraParameters camera = radial_camera(folder);

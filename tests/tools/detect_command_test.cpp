@@ -56,6 +56,8 @@ TEST(DetectCommand, LooksAtAFolderOfImagesAndDrawsThemOnOneSheet) {
 
   const Outcome outcome = detect({"--sheet",
                                   folder.path() / "sheets",
+                                  "--draw",
+                                  folder.path() / "drawn",
                                   "--classes",
                                   folder.path() / "classes",
                                   folder.path() / "images"});
@@ -66,6 +68,7 @@ TEST(DetectCommand, LooksAtAFolderOfImagesAndDrawsThemOnOneSheet) {
   EXPECT_THAT(first.at("image").get<std::string>(), HasSubstr("a.raw"));
   EXPECT_TRUE(fs::exists(folder.path() / "sheets/sheet-1.png"));
   EXPECT_FALSE(fs::exists(folder.path() / "sheets/sheet-2.png"));
+  EXPECT_TRUE(fs::exists(folder.path() / "drawn/a-classes.png"));
   vision::CameraParameters both = camera;
   both.width_px *= 2;
   const auto classes = tools::read_image(folder.path() / "classes/b-classes.png", both);

@@ -1,4 +1,4 @@
-// tests/vision/colour_classes_test.cpp: classes by discs, by a table, and in another light.
+// tests/vision/colour_classes_test.cpp: classes by discs, a table or a cube, and in another light.
 #include "vision/colour_classes.hpp"
 
 #include <gtest/gtest.h>
@@ -24,6 +24,65 @@ TEST(ColourClasses, AskATrainedTableInsteadOfTheDiscs) {
   EXPECT_EQ(colours.chromatic(87, {101, 94}), ColourClass::kBlue);
   EXPECT_EQ(colours.chromatic(139, {61, 200}), ColourClass::kNone);
   EXPECT_EQ(colours.of(200, {61, 200}), ColourClass::kWhite);
+}
+
+// Thresholds of 80 for each of red, green and blue; the yellow vertex is the ball, cyan is nothing.
+ColourParameters cube_of_thresholds() {
+  ColourParameters parameters = green_and_ball();
+  parameters.cube =
+      CubeParameters{{{{1.0, 0.0, 0.0, 80.0}, {0.0, 1.0, 0.0, 80.0}, {0.0, 0.0, 1.0, 80.0}}},
+                     {ColourClass::kBlack,
+                      ColourClass::kRed,
+                      ColourClass::kGreen,
+                      ColourClass::kBall,
+                      ColourClass::kBlue,
+                      ColourClass::kMagenta,
+                      ColourClass::kNone,
+                      ColourClass::kWhite}};
+  parameters.method = ColourMethod::kCube;
+  return parameters;
+}
+
+ColourClass class_of_bgr(const ColourClasses& colours, int b, int g, int r) {
+  return colours.of(luminance_of_bgr(b, g, r), chroma_of_bgr(b, g, r));
+}
+
+TEST(ColourClasses, AskTheNearestVertexOfTheCubeInsteadOfTheDiscs) {
+  const ColourClasses colours(cube_of_thresholds());
+
+  EXPECT_EQ(class_of_bgr(colours, 20, 110, 240), ColourClass::kBall);
+  EXPECT_EQ(class_of_bgr(colours, 40, 120, 40), ColourClass::kGreen);
+  EXPECT_EQ(class_of_bgr(colours, 200, 40, 40), ColourClass::kBlue);
+  EXPECT_EQ(class_of_bgr(colours, 200, 200, 40), ColourClass::kNone);
+  EXPECT_EQ(class_of_bgr(colours, 20, 20, 20), ColourClass::kBlack);
+  EXPECT_EQ(class_of_bgr(colours, 100, 100, 100), ColourClass::kWhite) << "whatever white_min_y is";
+  EXPECT_EQ(colours.chromatic(100, {128, 128}), ColourClass::kNone);
+  EXPECT_EQ(colours.chromatic(20, {128, 128}), ColourClass::kNone);
+}
+
+TEST(ColourClasses, AskTheMethodThatTheCameraFileSaysOfSeveral) {
+  ColourParameters parameters = cube_of_thresholds();
+  parameters.table.assign(kClassCells, ColourClass::kBlue);
+
+  const ColourClasses by_cube(parameters);
+  parameters.method = ColourMethod::kSamples;
+  const ColourClasses by_samples(parameters);
+  parameters.method.reset();
+  const ColourClasses by_table(parameters);
+
+  // As dark as the cube's black, of the ball's chroma.
+  EXPECT_EQ(by_cube.of(20, {61, 200}), ColourClass::kRed);
+  EXPECT_EQ(by_samples.of(20, {61, 200}), ColourClass::kBall);
+  EXPECT_EQ(by_table.of(20, {61, 200}), ColourClass::kBlue);
+}
+
+TEST(ColourClasses, TakeColoursBackToTheCubesOwnLight) {
+  ColourClasses colours(cube_of_thresholds());
+  ASSERT_EQ(class_of_bgr(colours, 10, 55, 120), ColourClass::kRed);
+
+  colours.adapt({0.5, 0.5, 0.5});
+
+  EXPECT_EQ(class_of_bgr(colours, 10, 55, 120), ColourClass::kBall);
 }
 
 TEST(ColourClasses, TakeColoursBackToTheirOwnLight) {

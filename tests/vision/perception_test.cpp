@@ -239,6 +239,30 @@ TEST(Perception, KnowsWhatMakesABallOnTheCarpetOne) {
   EXPECT_NEAR(contrast, std::log(std::hypot(61 - 101, 200 - 94)), 0.2);  // orange on green
 }
 
+TEST(Perception, SeesByTheCubeWhatItSeesByDiscs) {
+  CameraParameters camera = small_camera();
+  camera.colours.samples.clear();
+  camera.colours.method = ColourMethod::kCube;
+  camera.colours.cube =
+      CubeParameters{{{{1.0, 0.0, 0.0, 80.0}, {0.0, 1.0, 0.0, 80.0}, {0.0, 0.0, 1.0, 80.0}}},
+                     {ColourClass::kBlack,
+                      ColourClass::kRed,
+                      ColourClass::kGreen,
+                      ColourClass::kBall,
+                      ColourClass::kBlue,
+                      ColourClass::kMagenta,
+                      ColourClass::kCyan,
+                      ColourClass::kWhite}};
+  const Point3<Robot> p_RB{1.5, -0.7, 0.11};
+
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, Point<Robot>{1.4, 1.0}}, camera);
+
+  EXPECT_NE(seen.posture.status, PostureStatus::kLost);
+  ASSERT_EQ(seen.balls.size(), 1U);
+  EXPECT_LT(error_of(seen.balls.front(), p_RB), 0.02);
+  EXPECT_EQ(seen.obstacles.size(), 1U);
+}
+
 TEST(Perception, TakesBothSidesOfAMaskedStrutForOneBall) {
   const Point3<Robot> p_RB{0.7, 0.0, 0.11};
   CameraParameters camera = small_camera();
