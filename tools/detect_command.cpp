@@ -84,7 +84,14 @@ std::vector<double> floor_covariance(const BallRay& ball, const Point<Robot>& p_
   return {cov(0, 0), cov(0, 1), cov(1, 0), cov(1, 1)};
 }
 
-ordered_json ball_entry(const BallRay& ball, const vision::BallPixels& pixels) {
+ordered_json positive_or_null(double value) {
+  return value > 0.0 ? ordered_json(value) : ordered_json();
+}
+
+ordered_json ball_entry(const vision::FrameObservation& seen, std::size_t i) {
+  const BallRay& ball = seen.balls[i];
+  const vision::BallPixels& pixels = seen.ball_pixels[i];
+  const vision::BallRange& range = seen.ball_ranges[i];
   const auto p_RB = vision::meet_plane(ball.ray_R, kBallRadius);
   ordered_json entry;
   entry["u_px"] = pixels.u_px;
@@ -96,6 +103,11 @@ ordered_json ball_entry(const BallRay& ball, const vision::BallPixels& pixels) {
   entry["y_m"] = p_RB ? ordered_json(p_RB->y) : ordered_json();
   entry["z_m"] = p_RB ? ordered_json(kBallRadius) : ordered_json();
   entry["cov"] = p_RB ? ordered_json(floor_covariance(ball, *p_RB)) : ordered_json();
+  entry["range_on_floor_m"] = positive_or_null(range.on_floor);
+  entry["sigma_range_on_floor_m"] = positive_or_null(range.sigma_on_floor);
+  entry["range_by_size_m"] = positive_or_null(range.by_size);
+  entry["sigma_range_by_size_m"] = positive_or_null(range.sigma_by_size);
+  entry["flying_log_odds"] = range.flying_log_odds;
   return entry;
 }
 
@@ -151,7 +163,7 @@ ordered_json detection_line(const std::string& image, const Viewed& viewed) {
   line["image"] = image;
   line["balls"] = ordered_json::array();
   for (std::size_t i = 0; i < seen.balls.size(); ++i) {
-    line["balls"].push_back(ball_entry(seen.balls[i], seen.ball_pixels[i]));
+    line["balls"].push_back(ball_entry(seen, i));
   }
   line["obstacles"] = ordered_json::array();
   for (std::size_t i = 0; i < seen.obstacles.size(); ++i) {

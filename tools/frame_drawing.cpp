@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include "tools/detection_report.hpp"
@@ -20,6 +21,7 @@ using vision::FrameObservation;
 
 constexpr int kZoom = 2;          // so that a mark of one pixel does not hide what it marks
 constexpr int kShift = 4;         // OpenCV's fixed point: places are given in 1/16 pixel
+constexpr double kLikely = 1.1;   // log-odds; three to one
 constexpr double kAround = 10.0;  // px; half the size of a mark around a foot
 
 cv::Point place(double u_px, double v_px) {
@@ -55,6 +57,20 @@ void mark_things(cv::Mat& picture, const FrameObservation& seen) {
     const cv::Point p = place(foot.u_px, foot.v_px);
     cv::circle(
         picture, p, length(3.0), is_robot ? cyan : yellow, is_robot ? 2 : 1, cv::LINE_AA, kShift);
+  }
+}
+
+// Beside each ball: metres along its ray to the floor, by its size, and whether it may fly.
+void mark_ranges(cv::Mat& picture, const FrameObservation& seen) {
+  for (std::size_t i = 0; i < seen.ball_ranges.size(); ++i) {
+    const vision::BallPixels& ball = seen.ball_pixels[i];
+    const vision::BallRange& range = seen.ball_ranges[i];
+    const std::string text = fmt::format("{:.1f} {:.1f}{}",
+                                         range.on_floor,
+                                         range.by_size,
+                                         range.flying_log_odds > kLikely ? " flies" : "");
+    const cv::Point at = place(ball.u_px + ball.r_px + 4.0, ball.v_px) / (1 << kShift);
+    cv::putText(picture, text, at, cv::FONT_HERSHEY_PLAIN, 0.8, {255, 255, 255});
   }
 }
 
@@ -149,6 +165,7 @@ Picture marked_frame(const Shot& shot, const FrameObservation& seen) {
   cv::Mat canvas = mat_of(picture);
   mark_line_points(canvas, seen);
   mark_things(canvas, seen);
+  mark_ranges(canvas, seen);
   mark_sensors(canvas, shot, seen);
   return picture;
 }

@@ -20,7 +20,7 @@ struct Shot {
 };
 
 /// The frame twice as large, with line points (green inliers of the posture, else red), balls
-/// (magenta), feet of robots (cyan) and of legs (thin, yellow), and sensor windows: red when the
+/// (magenta, with metres to the floor and by their size), feet of robots (cyan) and of legs (thin, yellow), and sensor windows: red when the
 /// sensor triggers, else blue.
 [[nodiscard]] Picture marked_frame(const Shot& shot, const vision::FrameObservation& seen);
 

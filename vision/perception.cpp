@@ -70,6 +70,7 @@ struct Perception::Tables {
               model.centre(),
               {perception.ball_radius, perception.balls, perception.most_balls}),
         obstacles({perception.robot_radius, perception.obstacles}, lines, model),
+        ball_rules{perception.ball_radius, kSigmaTilt},
         head(head_of(rays)),
         goals(lines, model),
         sensors(parameters.sensors, parameters.width_px, parameters.height_px),
@@ -96,6 +97,7 @@ struct Perception::Tables {
   LineFinder finder;
   BallDetector balls;
   ObstacleDetector obstacles;
+  BallRangeRules ball_rules;
   HeadTilt head;
   GoalDetector goals;
   VirtualSensors sensors;
@@ -163,10 +165,12 @@ void Perception::Tables::locate(const PostureSource& posture_of) {
 void Perception::Tables::find_balls(const PixelReader& pixels) {
   observation.balls.clear();
   observation.ball_pixels.clear();
+  observation.ball_ranges.clear();
   const auto found = balls.find({pixels, colours, lines, rays, scan, hull});
   for (const BallCandidate& ball : found) {
     observation.balls.push_back(ball.ray);
     observation.ball_pixels.push_back(ball.pixels);
+    observation.ball_ranges.push_back(range_of(ball.ray, ball_rules));
   }
   const auto values = sensors.read(pixels, colours, found);
   observation.sensors.assign(values.begin(), values.end());

@@ -16,6 +16,7 @@
 #include "geometry/result.hpp"
 #include "geometry/sighting.hpp"
 #include "vision/ball_detector.hpp"
+#include "vision/ball_range.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/camera_parameters.hpp"
 #include "vision/carpet.hpp"
@@ -52,6 +53,7 @@ struct FrameObservation {
   PostureEstimate posture;
   std::vector<BallRay> balls;                   ///< best first, at most `most_balls`
   std::vector<BallPixels> ball_pixels;          ///< of the ball with the same index
+  std::vector<BallRange> ball_ranges;           ///< of the ball with the same index
   std::vector<ObstacleSighting> obstacles;      ///< nearest first, at most kMaxObstacleSightings
   std::vector<ObstaclePixels> obstacle_pixels;  ///< of the obstacle with the same index
   std::vector<FreeSpace> free_space;            ///< by image direction; nothing under the mask

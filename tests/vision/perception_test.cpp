@@ -282,6 +282,24 @@ TEST(Perception, SeesABallInTheAirOverTheCarpet) {
 
   ASSERT_EQ(seen.balls.size(), 1U);
   EXPECT_LT(error_of(seen.balls.front(), p_RB), 0.03);
+  const BallRange& range = seen.ball_ranges.front();
+  const double truth = (p_RB.vector() - seen.balls.front().ray_R.origin.vector()).norm();
+  EXPECT_NEAR(range.by_size, truth, 2.0 * range.sigma_by_size);
+  EXPECT_GT(range.on_floor, 1.4 * truth);
+  EXPECT_GT(range.flying_log_odds, 1.0);
+}
+
+TEST(Perception, HasTwoWordsForTheRangeOfABallOnTheFloor) {
+  const Point3<Robot> p_RB{1.2, -0.4, 0.11};
+
+  const FrameObservation seen = seen_of({{-1.2, 0.8, 0.6}, p_RB, std::nullopt});
+
+  ASSERT_EQ(seen.ball_ranges.size(), 1U);
+  const BallRange& range = seen.ball_ranges.front();
+  const double truth = (p_RB.vector() - seen.balls.front().ray_R.origin.vector()).norm();
+  EXPECT_NEAR(range.on_floor, truth, 3.0 * range.sigma_on_floor);
+  EXPECT_NEAR(range.by_size, truth, 3.0 * range.sigma_by_size);
+  EXPECT_LT(range.flying_log_odds, 0.0);
 }
 
 TEST(Perception, FindsTheFootOfAnObstacle) {
