@@ -179,8 +179,9 @@ int run(const Options& options) {
 
   const settings::TeamSettings& team = setup.robot.team;
   auto perception = std::async(std::launch::async, [&] {
-    return std::make_unique<vision::Perception>(
-        camera, setup.field, vision::PerceptionParameters{team.ball_radius, team.robot_radius});
+    vision::PerceptionParameters parameters{team.ball_radius, team.robot_radius};
+    parameters.shirts = team.shirts;
+    return std::make_unique<vision::Perception>(camera, setup.field, parameters);
   });
   const auto keeps_trying = [&loop] {
     return loop.keeps_running();

@@ -11,6 +11,7 @@
 #include "geometry/identity.hpp"
 #include "settings/settings_error.hpp"
 #include "vision/camera_parameters.hpp"
+#include "vision/team_shirts.hpp"
 
 namespace teamsight::settings {
 
@@ -25,6 +26,7 @@ struct TeamSettings {
   double ball_radius{0.11};            ///< m
   double robot_radius{0.25};           ///< m
   std::vector<RobotId> robots;         ///< its robots' ids; empty: any may play
+  vision::TeamShirts shirts;           ///< what it and the others wear; kNone: not said
 };
 
 /// On which half a robot starts, where nothing else breaks the field's symmetry.

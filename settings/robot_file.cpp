@@ -24,6 +24,32 @@ StartSide side_of(config::RobotFile::StartSide side) {
   return StartSide::kUnknown;
 }
 
+vision::ColourClass colour_of(config::TeamFile::Shirt shirt) {
+  switch (shirt) {
+    case config::TeamFile::CYAN:
+      return vision::ColourClass::kCyan;
+    case config::TeamFile::MAGENTA:
+      return vision::ColourClass::kMagenta;
+    case config::TeamFile::BLUE:
+      return vision::ColourClass::kBlue;
+    case config::TeamFile::RED:
+      return vision::ColourClass::kRed;
+  }
+  return vision::ColourClass::kNone;
+}
+
+vision::TeamShirts shirts_in(const TextFile& text, const config::TeamFile& file) {
+  vision::TeamShirts shirts;
+  if (file.has_shirt()) shirts.own = colour_of(file.shirt());
+  if (file.has_opponent_shirt()) shirts.theirs = colour_of(file.opponent_shirt());
+  if (file.has_shirt() && shirts.own == shirts.theirs) {
+    throw text.error("opponent_shirt",
+                     config::TeamFile::Shirt_Name(file.opponent_shirt()) + ", the own colour",
+                     "another than shirt");
+  }
+  return shirts;
+}
+
 template <class File>
 std::vector<RobotId> robots_in(const TextFile& text, const File& file) {
   std::vector<RobotId> robots;
@@ -58,6 +84,7 @@ TeamSettings load_team(const std::filesystem::path& path) {
   team.ball_radius = file.ball_radius_m();
   team.robot_radius = file.robot_radius_m();
   team.robots = robots_in(text, file);
+  team.shirts = shirts_in(text, file);
   return team;
 }
 

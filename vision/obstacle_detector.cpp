@@ -10,6 +10,7 @@
 
 #include "geometry/angle.hpp"
 #include "vision/lanes.hpp"
+#include "vision/shirt_votes.hpp"
 
 namespace teamsight::vision {
 
@@ -208,6 +209,10 @@ void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
   sighting.cov_R = sigma_away * sigma_away * away * away.transpose() +
                    sigma_across * sigma_across * across * across.transpose();
   sighting.confidence = is_robot ? likely : kLegConfidence;
+  // People wear what they like.
+  if (is_robot) {
+    sighting.teammate_likelihood = teammate_likelihood(shirt_votes(group, source, rules_.shirts));
+  }
   found_.push_back(candidate);
 }
 

@@ -14,6 +14,7 @@
 #include "vision/obstacle_traits.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/scan_lines.hpp"
+#include "vision/team_shirts.hpp"
 
 namespace teamsight::vision {
 
@@ -54,6 +55,7 @@ struct ObstacleCandidate {
 struct ObstacleRules {
   double robot_radius{0.25};  ///< m; much wider things are walls
   ObstacleModel model{trained_obstacle_model()};
+  TeamShirts shirts{};
 };
 
 /// Walks outwards along each radial line until the carpet ends in something dark or strongly

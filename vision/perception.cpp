@@ -69,7 +69,7 @@ struct Perception::Tables {
               parameters.mask,
               model.centre(),
               {perception.ball_radius, perception.balls, perception.most_balls}),
-        obstacles({perception.robot_radius, perception.obstacles}, lines, model),
+        obstacles({perception.robot_radius, perception.obstacles, perception.shirts}, lines, model),
         ball_rules{perception.ball_radius, kSigmaTilt},
         head(head_of(rays)),
         goals(lines, model),

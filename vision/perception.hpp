@@ -46,6 +46,7 @@ struct PerceptionParameters {
   ObstacleModel obstacles{trained_obstacle_model()};
   BallModel balls{trained_ball_model()};
   std::size_t most_balls{kMaxBallRays};  ///< reported, of one frame
+  TeamShirts shirts{};
 };
 
 /// Everything one frame says.

@@ -32,7 +32,8 @@ bool is_sound(const BallRay& ball) {
 
 bool is_sound(const ObstacleSighting& obstacle) {
   return obstacle.p_RO.vector().allFinite() && is_covariance(obstacle.cov_R) &&
-         std::isfinite(obstacle.width) && obstacle.width >= 0.0 && is_share(obstacle.confidence);
+         std::isfinite(obstacle.width) && obstacle.width >= 0.0 && is_share(obstacle.confidence) &&
+         is_share(obstacle.teammate_likelihood);
 }
 
 bool is_sound(const vision::LinePoint& point) {

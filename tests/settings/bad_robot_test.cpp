@@ -52,6 +52,22 @@ TEST_F(RobotFile, ComesWithItsTeamAndAbsolutePaths) {
   EXPECT_EQ(robot.team.host_profile, folder_.path() / "dds.xml");
 }
 
+TEST_F(RobotFile, ComesWithWhatTheTeamsWear) {
+  (void)folder_.write("team", std::string(kTeam) + "shirt: CYAN opponent_shirt: MAGENTA");
+  const auto path = folder_.write("robot", "id: 3 team: \"team\" camera: \"eye\" strength: 1");
+
+  EXPECT_EQ(load_robot(path).team.shirts,
+            (vision::TeamShirts{vision::ColourClass::kCyan, vision::ColourClass::kMagenta}));
+}
+
+TEST_F(RobotFile, OfTwoTeamsInOneColourIsRefused) {
+  (void)folder_.write("team", std::string(kTeam) + "shirt: CYAN opponent_shirt: CYAN");
+
+  EXPECT_EQ(complaint_about_robot("id: 3 team: \"team\" camera: \"eye\" strength: 1"),
+            place("team", ":3:13: key 'opponent_shirt': found CYAN, the own colour, expected ") +
+                "another than shirt");
+}
+
 TEST_F(RobotFile, OfARobotThatItsTeamLacksIsRefused) {
   (void)folder_.write("team", std::string(kTeam) + "robot: [1, 2, 5]");
 

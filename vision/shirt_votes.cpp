@@ -1,0 +1,63 @@
+// vision/shirt_votes.cpp: see vision/shirt_votes.hpp.
+#include "vision/shirt_votes.hpp"
+
+#include <algorithm>
+
+namespace teamsight::vision {
+
+namespace {
+
+constexpr std::size_t kAboveFoot = 60;  // samples that may show a shirt
+constexpr std::size_t kFewest = 3;      // samples of a line that show one
+
+/// Samples of one line.
+struct Tally {
+  std::size_t own{0};
+  std::size_t theirs{0};
+};
+
+bool is_theirs(ColourClass colour, const TeamShirts& shirts) {
+  if (shirts.theirs != ColourClass::kNone) return colour == shirts.theirs;
+  return colour == ColourClass::kRed || colour == ColourClass::kBlue ||
+         colour == ColourClass::kMagenta || colour == ColourClass::kCyan;
+}
+
+Tally tally_of(const Foot& foot, const TraitSource& source, const TeamShirts& shirts) {
+  const ScanRange& range = source.lines.radial()[foot.index];
+  const auto classes = source.scan.classes(range);
+  const std::size_t end = std::min(classes.size(), foot.sample + kAboveFoot);
+  Tally tally;
+  for (std::size_t i = foot.sample; i < end; ++i) {
+    if (classes[i] == shirts.own) {
+      ++tally.own;
+    } else if (is_theirs(classes[i], shirts)) {
+      ++tally.theirs;
+    }
+  }
+  return tally;
+}
+
+}  // namespace
+
+ShirtVotes shirt_votes(const FootGroup& group,
+                       const TraitSource& source,
+                       const TeamShirts& shirts) {
+  ShirtVotes votes;
+  if (shirts == TeamShirts{}) return votes;
+  for (std::size_t i = group.first; i <= group.last; ++i) {
+    const Foot& foot = source.feet[i];
+    if (!foot.stands) continue;
+    const Tally tally = tally_of(foot, source, shirts);
+    if (std::max(tally.own, tally.theirs) < kFewest || tally.own == tally.theirs) continue;
+    ++(tally.own > tally.theirs ? votes.own : votes.theirs);
+  }
+  return votes;
+}
+
+double teammate_likelihood(const ShirtVotes& votes) {
+  const auto own = static_cast<double>(votes.own);
+  const auto theirs = static_cast<double>(votes.theirs);
+  return (own + 1.0) / (own + theirs + 2.0);
+}
+
+}  // namespace teamsight::vision
