@@ -133,6 +133,7 @@ void Agent::write(const Seen& seen) {
     const ObservationId id{identity_.robot, identity_.boot, ++sightings_count_};
     bus::Sightings sightings =
         sightings_of(*seen.observation, {id, seen.exposure, bus::host_now()});
+    meter_.count("obstacles.beyond_bound", seen.observation->obstacles_left_out);
     meter_.count("air.obstacles_left_out", process::trim(sightings, air_.thrift()));
     bus_->sightings.write(sightings);
   }

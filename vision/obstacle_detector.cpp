@@ -250,7 +250,6 @@ std::span<const ObstacleCandidate> ObstacleDetector::find(const RadialScan& scan
   const TraitSource source{feet_, scan, lines, hull, rules_.robot_radius};
   for (const FootGroup& group : groups_) add(group, source);
   join_legs();
-  if (found_.size() > kMaxObstacleSightings) found_.resize(kMaxObstacleSightings);
   return found_;
 }
 

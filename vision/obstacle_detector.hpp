@@ -68,7 +68,7 @@ class ObstacleDetector {
 
   /// @param lines those of the constructor
   /// @param hull of the same scan
-  /// @return nearest first, at most kMaxObstacleSightings; valid until the next call
+  /// @return nearest first, as many as there are; valid until the next call
   [[nodiscard]] std::span<const ObstacleCandidate> find(const RadialScan& scan,
                                                         const ScanLines& lines,
                                                         const CarpetHull& hull);

@@ -179,8 +179,13 @@ void Perception::Tables::find_balls(const PixelReader& pixels) {
 void Perception::Tables::find_obstacles() {
   observation.obstacles.clear();
   observation.obstacle_pixels.clear();
+  observation.obstacles_left_out = 0;
   for (const ObstacleCandidate& obstacle : obstacles.find(scan, lines, hull)) {
     if (!is_on_field(obstacle, observation.posture, posture.map().field())) continue;
+    if (observation.obstacles.size() == kMaxObstacleSightings) {
+      ++observation.obstacles_left_out;
+      continue;
+    }
     observation.obstacles.push_back(obstacle.sighting);
     observation.obstacle_pixels.push_back(obstacle.pixels);
   }

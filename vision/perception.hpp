@@ -57,6 +57,7 @@ struct FrameObservation {
   std::vector<BallRange> ball_ranges;           ///< of the ball with the same index
   std::vector<ObstacleSighting> obstacles;      ///< nearest first, at most kMaxObstacleSightings
   std::vector<ObstaclePixels> obstacle_pixels;  ///< of the obstacle with the same index
+  std::size_t obstacles_left_out{0};            ///< farther ones on the field, beyond that bound
   std::vector<FreeSpace> free_space;            ///< by image direction; nothing under the mask
   std::vector<SeenGoal> goals;
   std::vector<SensorValue> sensors;  ///< in the order of the camera file
