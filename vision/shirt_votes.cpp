@@ -16,6 +16,10 @@ struct Tally {
   std::size_t theirs{0};
 };
 
+bool is_own(ColourClass colour, const TeamShirts& shirts) {
+  return shirts.own != ColourClass::kNone && colour == shirts.own;
+}
+
 bool is_theirs(ColourClass colour, const TeamShirts& shirts) {
   if (shirts.theirs != ColourClass::kNone) return colour == shirts.theirs;
   return colour == ColourClass::kRed || colour == ColourClass::kBlue ||
@@ -28,7 +32,7 @@ Tally tally_of(const Foot& foot, const TraitSource& source, const TeamShirts& sh
   const std::size_t end = std::min(classes.size(), foot.sample + kAboveFoot);
   Tally tally;
   for (std::size_t i = foot.sample; i < end; ++i) {
-    if (classes[i] == shirts.own) {
+    if (is_own(classes[i], shirts)) {
       ++tally.own;
     } else if (is_theirs(classes[i], shirts)) {
       ++tally.theirs;

@@ -53,6 +53,14 @@ TEST(PerceivedObstacle, TellsATeamMateByItsShirt) {
   EXPECT_LT(likelihood_in(kMagenta, own_only), 0.2);
 }
 
+TEST(PerceivedObstacle, KnowsOnlyTheOthersWhereTheOwnShirtIsNotGiven) {
+  const TeamShirts theirs_only{ColourClass::kNone, ColourClass::kMagenta};
+
+  EXPECT_LT(likelihood_in(kMagenta, theirs_only), 0.2);
+  EXPECT_EQ(likelihood_in(kCyan, theirs_only), 0.5);
+  EXPECT_EQ(likelihood_in(kBlack, theirs_only), 0.5);
+}
+
 TEST(PerceivedObstacle, HasNoEvidenceWithoutShirtsOrWordOfThem) {
   EXPECT_EQ(likelihood_in(kBlack, {ColourClass::kCyan, ColourClass::kMagenta}), 0.5);
   EXPECT_EQ(likelihood_in(kCyan, {}), 0.5);
