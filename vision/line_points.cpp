@@ -103,6 +103,10 @@ struct BumpRules {
   float contrast{0.0F};  // grey levels
 };
 
+float grey(Profile profile, std::size_t i) {
+  return static_cast<float>(profile[i]);
+}
+
 /// The summit behind a rising edge.
 struct Summit {
   float base{0.0F};  // of the floor before the edge, grey levels
@@ -121,11 +125,11 @@ std::optional<Summit> summit_behind(const Line& line,
   float peak = profile[i];
   float half = 0.5F * (summit.base + peak);
   std::size_t& j = summit.foot;
-  while (j < n && profile[j] > half) {
+  while (j < n && grey(profile, j) > half) {
     const std::size_t asked = std::min(j + kAsk, n);
-    for (; j < asked && profile[j] > half; ++j) {
-      if (profile[j] <= peak) continue;
-      peak = profile[j];
+    for (; j < asked && grey(profile, j) > half; ++j) {
+      if (grey(profile, j) <= peak) continue;
+      peak = grey(profile, j);
       summit.top = j;
       half = 0.5F * (summit.base + peak);
     }
@@ -151,9 +155,9 @@ std::optional<Bump> bump_at(const Line& line,
   const float level_left = 0.5F * (left + peak);
   const float level_right = 0.5F * (right + peak);
   std::size_t rise = summit->top;
-  while (rise > 0 && profile[rise - 1] > level_left) --rise;
+  while (rise > 0 && grey(profile, rise - 1) > level_left) --rise;
   std::size_t fall = summit->top;
-  while (fall + 1 < n && profile[fall + 1] > level_right) ++fall;
+  while (fall + 1 < n && grey(profile, fall + 1) > level_right) ++fall;
   if (rise == 0 || fall + 1 >= n) return std::nullopt;
   Bump bump;
   bump.contrast = peak - std::max(left, right);
