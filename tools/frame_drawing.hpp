@@ -20,8 +20,8 @@ struct Shot {
 };
 
 /// The frame twice as large, with line points (green inliers of the posture, else red), balls
-/// (magenta, with metres to the floor and by their size), feet of robots (cyan) and of legs (thin, yellow), and sensor windows: red when the
-/// sensor triggers, else blue.
+/// (magenta, with metres to the floor and by their size), feet of robots (cyan) and of legs (thin,
+/// yellow), and sensor windows: red when the sensor triggers, else blue.
 [[nodiscard]] Picture marked_frame(const Shot& shot, const vision::FrameObservation& seen);
 
 /// As marked_frame, without line points, and with what the labels say of it: a green ring where a

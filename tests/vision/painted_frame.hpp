@@ -69,9 +69,9 @@ inline constexpr Paint kBlack{20, 128, 128};
 /// What stands on the field besides the paint.
 struct Scene {
   Pose<Field, Robot> X_FR;
-  std::optional<Point3<Robot>> ball;   // of 0.11 m
-  std::optional<Point<Robot>> pillar;  // black, radius 0.25 m
-  Paint shirt{kBlack};                 // of the pillar, from 0.25 to 0.55 m
+  std::optional<Point3<Robot>> ball;    // of 0.11 m
+  std::optional<Point<Robot>> pillar;   // black, radius 0.25 m
+  Paint shirt{kBlack};                  // of the pillar, from 0.25 to 0.55 m
   std::vector<Point<Robot>> pillars{};  // more of them, black
 };
 
