@@ -60,15 +60,20 @@ void mark_things(cv::Mat& picture, const FrameObservation& seen) {
   }
 }
 
-// Beside each ball: metres along its ray to the floor, by its size, and whether it may fly.
+// A range of 0 is none.
+std::string range_text(double range) {
+  return range > 0.0 ? fmt::format("{:.1f} m", range) : std::string("-");
+}
+
+// Beside each ball: its range along the ray to the floor, by its size, and whether it may fly.
 void mark_ranges(cv::Mat& picture, const FrameObservation& seen) {
   for (std::size_t i = 0; i < seen.ball_ranges.size(); ++i) {
     const vision::BallPixels& ball = seen.ball_pixels[i];
     const vision::BallRange& range = seen.ball_ranges[i];
-    const std::string text = fmt::format("{:.1f} {:.1f}{}",
-                                         range.on_floor,
-                                         range.by_size,
-                                         range.flying_log_odds > kLikely ? " flies" : "");
+    const std::string text = fmt::format("floor {}, size {}{}",
+                                         range_text(range.on_floor),
+                                         range_text(range.by_size),
+                                         range.flying_log_odds > kLikely ? ", flies" : "");
     const cv::Point at = place(ball.u_px + ball.r_px + 4.0, ball.v_px) / (1 << kShift);
     cv::putText(picture, text, at, cv::FONT_HERSHEY_PLAIN, 0.8, {255, 255, 255});
   }

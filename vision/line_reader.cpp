@@ -24,7 +24,7 @@ constexpr int kShift = 15;             // of sums over a tap's four pixels
 constexpr int kHalf = 1 << (kShift - 1);
 constexpr std::size_t kWidestWindow = 127;
 constexpr std::size_t kSpare = ChromaReader::kSpare;
-static_assert(kSpare >= kLanes);
+static_assert(kSpare >= 2 * kLanes);  // averaged at once
 
 template <class Word>
 std::uint32_t load(const std::uint8_t* from) {
