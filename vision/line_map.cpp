@@ -11,7 +11,6 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kCell = 0.05;    // m; half a line's width
 constexpr double kMargin = 1.5;   // m around the carpet: points of a wrong candidate fall there
 constexpr double kNoEnd = -2.0;   // less than any cosine
 constexpr double kOnFoot = 0.02;  // m, of a line's end from the foot that it marks
@@ -30,19 +29,6 @@ bool stands_on(const Eigen::Vector2d& p_F, const Foot& foot) {
 
 Eigen::Vector2d unit_at(double direction) {
   return {std::cos(direction), std::sin(direction)};
-}
-
-// Beyond the ends: away from the nearer one.
-NearestLine nearest_end(const std::array<Eigen::Vector2d, 2>& ends, const Eigen::Vector2d& p_F) {
-  const bool is_first = (p_F - ends[0]).squaredNorm() <= (p_F - ends[1]).squaredNorm();
-  NearestLine result;
-  result.closest_F = ends.at(is_first ? 0 : 1);
-  result.is_end = true;
-  const Eigen::Vector2d offset = p_F - result.closest_F;
-  result.distance = offset.norm();
-  result.normal_F =
-      result.distance > 0.0 ? Eigen::Vector2d(offset / result.distance) : Eigen::Vector2d::UnitX();
-  return result;
 }
 
 // The feet of walls and of the sides of goals.
@@ -113,42 +99,16 @@ LineMap::LineMap(const FieldModel& field) : field_(field), painted_(painted_part
   }
 }
 
-std::size_t LineMap::cell_of(const Eigen::Vector2d& p_F) const {
-  constexpr double kCellsPerMetre = 1.0 / kCell;
-  const double x = kCellsPerMetre * (p_F.x() - corner_F_.x());
-  const double y = kCellsPerMetre * (p_F.y() - corner_F_.y());
-  const auto column = static_cast<std::size_t>(std::max(0.0, std::min(x, columns_ - 1.0)));
-  const auto row = static_cast<std::size_t>(std::max(0.0, std::min(y, rows_ - 1.0)));
-  return row * static_cast<std::size_t>(columns_) + column;
-}
-
-// By hand: this runs for every point in every step of a fit.
-NearestLine LineMap::nearest_on(const Paint& paint, const Eigen::Vector2d& p_F) {
+NearestLine LineMap::nearest_end(const std::array<Eigen::Vector2d, 2>& ends,
+                                 const Eigen::Vector2d& p_F) {
+  const bool is_first = (p_F - ends[0]).squaredNorm() <= (p_F - ends[1]).squaredNorm();
   NearestLine result;
-  if (paint.is_segment) {
-    const Eigen::Vector2d offset = p_F - paint.ends[0];
-    const double along = offset.dot(paint.along);
-    if (along < 0.0 || along > paint.length) return nearest_end(paint.ends, p_F);
-    result.normal_F = {-paint.along.y(), paint.along.x()};
-    result.closest_F = paint.ends[0] + along * paint.along;
-    result.distance = offset.dot(result.normal_F);
-    return result;
-  }
-  const Eigen::Vector2d offset = p_F - paint.centre;
-  const double range = offset.norm();
-  if (offset.dot(paint.along) < range * paint.cos_half_sweep) {
-    return nearest_end(paint.ends, p_F);
-  }
-  result.normal_F = range > 0.0 ? Eigen::Vector2d(offset / range) : paint.along;
-  result.closest_F = paint.centre + paint.length * result.normal_F;
-  result.distance = range - paint.length;
-  return result;
-}
-
-NearestLine LineMap::nearest(const Eigen::Vector2d& p_F) const {
-  const std::uint16_t primitive = primitive_[cell_of(p_F)];
-  NearestLine result = nearest_on(paint_[primitive], p_F);
-  result.primitive = primitive;
+  result.closest_F = ends.at(is_first ? 0 : 1);
+  result.is_end = true;
+  const Eigen::Vector2d offset = p_F - result.closest_F;
+  result.distance = offset.norm();
+  result.normal_F =
+      result.distance > 0.0 ? Eigen::Vector2d(offset / result.distance) : Eigen::Vector2d::UnitX();
   return result;
 }
 

@@ -14,15 +14,18 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kWidest = 0.25;      // m; farther from the paint a point says nothing
-constexpr double kLastWidth = 0.02;   // m, or 3 sigma
-constexpr double kShrink = 0.7;       // of the kernel, per step
-constexpr double kIdle = 0.05;        // of the kernel; one that moves points less has done its work
-constexpr double kShrinkIdle = 0.35;  // of such a kernel: about three steps at once
+constexpr double kWidest = 0.25;     // m; farther from the paint a point says nothing
+constexpr double kLastWidth = 0.02;  // m, or 3 sigma
+constexpr double kShrink = 0.7;      // of the kernel, per step
+constexpr double kIdle = 0.05;       // of the kernel; one that moves points less has done its work
+constexpr double kShrinkIdle = 0.3;  // of such a kernel: about three steps at once
 constexpr double kSigmas = 3.0;
 constexpr int kMaxSteps = 24;
-constexpr double kStill = 0.03;         // sigma of the answer; a shorter step is none
+constexpr double kStill = 0.25;         // sigma of the answer; a shorter step is none
 constexpr double kStillPlace = 2e-5;    // m, of line points; the same
+constexpr double kMostBend = 1.9;       // of weights over slope; below 2 a step still descends
+constexpr double kMostFollowed = 0.01;  // m; moved so far by derivatives, a point is off by 20 um
+constexpr double kUnseen = 1e9;         // m, the same, of points that were never looked at
 constexpr double kVoteWidth = 0.08;     // m, of the soft votes that rank candidates
 constexpr double kInlierFloor = 0.05;   // m
 constexpr double kObservable = 0.5;     // m or rad: beyond this a direction counts as open
@@ -32,6 +35,7 @@ constexpr double kClaimPoints = 2.0;    // the same for the covariance
 constexpr double kMostLift = 0.5;       // of a ray's way to the horizon
 constexpr double kKnownTilt = 1e-6;     // rad; a smaller sigma means a tilt that is known
 constexpr std::size_t kLeaders = 150;   // points that lead the way
+constexpr std::size_t kSharedSample = 60;  // points that tell what all share
 constexpr std::size_t kScaleSample = 160;  // points from which a step measures its scale
 constexpr double kSectorDoubt = 6.0;       // sectors that the hypothesis "no correlation" is worth
 // How probably a stretch of few points lies on other paint, or is none, and with how many points
@@ -57,6 +61,31 @@ Row row_of(const LineResidual& residual) {
           residual.jacobian.z(),
           residual.tilt_jacobian.x(),
           residual.tilt_jacobian.y()};
+}
+
+// The derivatives and below them the distance: of the products of its entries some are information,
+// some the gradient.
+using Column = Eigen::Matrix<double, 6, 1>;
+using Squares = Eigen::Matrix<double, 6, 6>;
+
+Column column_of(const LineResidual& r) {
+  return {r.jacobian.x(),
+          r.jacobian.y(),
+          r.jacobian.z(),
+          r.tilt_jacobian.x(),
+          r.tilt_jacobian.y(),
+          r.distance};
+}
+
+// Adds a column's products to the lower half of a sum; columns in pairs, as registers take them.
+void add_square(const Column& column, double weight, Squares& sum) {
+  const Column weighted = weight * column;
+  sum.col(0) += weighted.x() * column;
+  sum.col(1) += weighted.y() * column;
+  sum.col(2).tail<4>() += weighted.z() * column.tail<4>();
+  sum.col(3).tail<4>() += weighted.w() * column.tail<4>();
+  sum.col(4).tail<2>() += weighted(4) * column.tail<2>();
+  sum.col(5).tail<2>() += weighted(5) * column.tail<2>();
 }
 
 // Which eighth of the floor around the robot; in no order.
@@ -138,54 +167,71 @@ void PostureFitter::look(const LineMap& map,
 }
 
 double PostureFitter::measure_scale() {
-  sorted_.clear();
+  squares_.clear();
   const std::size_t stride = 1 + residuals_.size() / kScaleSample;
   for (std::size_t i = 0; i < residuals_.size(); i += stride) {
     const LineResidual& r = residuals_[i];
-    if (std::abs(r.distance) < kWidest) {
-      sorted_.push_back(std::abs(r.distance) / std::sqrt(r.var));
-    }
+    const double square = r.distance * r.distance;
+    if (square < kWidest * kWidest) squares_.push_back(square / r.var);
   }
-  if (sorted_.size() < 5) return 1.0;
-  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-  std::nth_element(sorted_.begin(), middle, sorted_.end());
-  const auto count = static_cast<double>(sorted_.size());
-  const double measured = kMadToSigma * *middle;
-  return std::sqrt((kPriorPoints + count * measured * measured) / (kPriorPoints + count));
+  if (squares_.size() < 5) return 1.0;
+  const auto middle = squares_.begin() + static_cast<std::ptrdiff_t>(squares_.size() / 2);
+  std::nth_element(squares_.begin(), middle, squares_.end());
+  const auto count = static_cast<double>(squares_.size());
+  const double measured = kMadToSigma * kMadToSigma * *middle;
+  return std::sqrt((kPriorPoints + count * measured) / (kPriorPoints + count));
 }
 
-double PostureFitter::step(PostureFit& fit, double width) const {
-  // The distance stands below the derivatives: one product is information and gradient.
-  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+PostureFitter::Step PostureFitter::next_step(const PostureFit& fit, double width) const {
+  Squares sum = Squares::Zero();
   const double precision = 1.0 / (fit.scale * fit.scale);
+  double sum_weight = 0.0;
+  double sum_slope = 0.0;
   for (const LineResidual& r : residuals_) {
     const double u2 = squared_ratio(r, width, fit.scale);
-    const double weight = precision / ((1.0 + u2) * (1.0 + u2) * r.var);
-    const Eigen::Matrix<double, 6, 1> column{r.jacobian.x(),
-                                             r.jacobian.y(),
-                                             r.jacobian.z(),
-                                             r.tilt_jacobian.x(),
-                                             r.tilt_jacobian.y(),
-                                             r.distance};
-    sum.noalias() += weight * column * column.transpose();
+    const double near = 1.0 / (1.0 + u2);
+    const double weight = near * near;
+    sum_weight += weight;
+    sum_slope += (1.0 - 3.0 * u2) * near * weight;
+    add_square(column_of(r), precision * weight / r.var, sum);
   }
   Information info = sum.topLeftCorner<5, 5>();
-  Row gradient = sum.topRightCorner<5, 1>();
+  Row gradient = sum.bottomLeftCorner<1, 5>().transpose();
   const Eigen::Vector2d held = tilt_info(tilt_);
   info.diagonal().tail<2>() += held;
   gradient.tail<2>() += held.cwiseProduct(fit.tilt - tilt_.mean);
   // A little damping keeps an open direction where it is instead of throwing the robot off.
   info.diagonal().head<3>() += Eigen::Vector3d::Constant(1.0);
-  const Row change = info.selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
-  if (!change.allFinite()) return 0.0;
-  const double way = change.head<2>().norm();
+  Step step;
+  step.change = info.selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
+  if (!step.change.allFinite()) return {};
+  step.is_less_than_noise = -step.change.dot(gradient) < kStill * kStill;
+  // Where a kernel bends, its weights promise a pull that falls more slowly than it does: with
+  // the points' mean bend the step is about Newton's.
+  if (width < kLastWidth) {
+    step.change *= std::clamp(sum_weight / std::max(sum_slope, 1e-12), 1.0, kMostBend);
+  }
+  const double way = step.change.head<2>().norm();
   const double limit = std::min(1.0, 0.5 / std::max(way, 1e-12));
-  fit.X_FR = {fit.X_FR.x() + limit * change(0),
-              fit.X_FR.y() + limit * change(1),
-              fit.X_FR.theta() + std::clamp(limit * change(2), -0.5, 0.5)};
-  fit.tilt += limit * change.tail<2>();
-  const bool is_less_than_noise = -change.dot(gradient) < kStill * kStill;
-  return is_less_than_noise ? 0.0 : std::max(way, kTypicalRange * std::abs(change(2)));
+  step.change *= limit;
+  step.change(2) = std::clamp(step.change(2), -0.5, 0.5);
+  step.way = std::max(way, kTypicalRange * std::abs(step.change(2)));
+  return step;
+}
+
+double PostureFitter::take(const Step& step, PostureFit& fit) {
+  fit.X_FR = {fit.X_FR.x() + step.change(0),
+              fit.X_FR.y() + step.change(1),
+              fit.X_FR.theta() + step.change(2)};
+  fit.tilt += step.change.tail<2>();
+  double farthest = 0.0;
+  for (LineResidual& r : residuals_) {
+    const double shift =
+        r.jacobian.dot(step.change.head<3>()) + r.tilt_jacobian.dot(step.change.tail<2>());
+    r.distance += shift;
+    farthest = std::max(farthest, std::abs(shift));
+  }
+  return farthest;
 }
 
 double PostureFitter::measure_correlation(const PostureFit& fit) const {
@@ -215,7 +261,7 @@ double PostureFitter::measure_correlation(const PostureFit& fit) const {
 PostureFitter::Pulls PostureFitter::measure_pulls(std::span<const LinePoint> points,
                                                   const PostureFit& fit) const {
   // Errors that all share are smooth: some of the points tell them as well as all.
-  const std::size_t stride = 1 + residuals_.size() / kLeaders;
+  const std::size_t stride = 1 + residuals_.size() / kSharedSample;
   const Eigen::Matrix2d R_RF = fit.X_FR.rotation().transpose();
   Pulls pulls = Pulls::Zero();
   for (std::size_t i = 0; i < residuals_.size(); i += stride) {
@@ -262,7 +308,7 @@ void PostureFitter::doubt_stretches(const Information& info,
     if (stretch.weight <= 0.0) continue;
     const double wrong = kWrongStretch * std::exp(-stretch.weight / kWrongFalls);
     // If it is wrong, the robot is only as surely where it seems as the others say.
-    fit.cov_doubtful += wrong * (cov_of(info - stretch.info) - whole);
+    fit.cov_doubtful += wrong * (cov_of(info - stretch.squares.topLeftCorner<5, 5>()) - whole);
   }
   fit.cov_doubtful = 0.5 * (fit.cov_doubtful + fit.cov_doubtful.transpose()).eval();
   fit.cov += fit.cov_doubtful;
@@ -289,15 +335,14 @@ void PostureFitter::judge(std::span<const LinePoint> points, PostureFit& fit) {
     sum_weight += weight;
     Stretch& stretch = stretches_[stretch_of_[i]];
     stretch.weight += weight;
-    const Row row = row_of(r);
-    stretch.info.noalias() += weight / r.var * row * row.transpose();
+    add_square(column_of(r), weight / r.var, stretch.squares);
     if (is_inlier(r, fit.scale)) ++inliers;
     fit.support += 1.0 / (1.0 + std::pow(r.distance / kVoteWidth, 2));
   }
   fit.inlier_ratio = static_cast<double>(inliers) / count;
   if (sum_slope < 3.5) return;
   Information info = Information::Zero();
-  for (const Stretch& stretch : stretches_) info += stretch.info;
+  for (const Stretch& stretch : stretches_) info += stretch.squares.topLeftCorner<5, 5>();
   // Sandwich of the M-estimator over the weighted points (an outlier far out has a long lever, but
   // no weight), with the three degrees of freedom that the fit used up.
   const double slope = sum_slope / sum_weight;
@@ -326,18 +371,25 @@ PostureFit PostureFitter::fit(const LineMap& map,
   double width = std::min(start.width, kWidest);
   // While the kernel is wide, some of the points lead as well as all of them.
   std::size_t stride = 1 + points.size() / kLeaders;
+  double followed = kUnseen;
   bool is_settled = false;
   for (int i = 0; i < kMaxSteps && !is_settled; ++i) {
-    look(map, points, stride, fit);
+    if (followed > kMostFollowed) {
+      look(map, points, stride, fit);
+      followed = 0.0;
+    }
     fit.scale = measure_scale();
-    const double move = step(fit, width);
+    const Step step = next_step(fit, width);
+    followed += take(step, fit);
     const bool is_narrow = width < kLastWidth;
-    is_settled = move < kStillPlace && is_narrow && stride == 1;
-    if (is_narrow) stride = 1;
-    width *= move > kIdle * width ? kShrink : kShrinkIdle;
+    is_settled = is_narrow && stride == 1 && (step.is_less_than_noise || step.way < kStillPlace);
+    if (is_narrow && stride > 1) {
+      stride = 1;
+      followed = kUnseen;
+    }
+    width *= step.way > kIdle * width && !step.is_less_than_noise ? kShrink : kShrinkIdle;
   }
-  // A settled robot stands where all points were last looked at from.
-  if (!is_settled) {
+  if (!is_settled || followed > kMostFollowed) {
     look(map, points, 1, fit);
     fit.scale = measure_scale();
   }

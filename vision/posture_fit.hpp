@@ -129,10 +129,10 @@ struct FitStart {
 /// Moves a posture until the line points lie on the lines.
 ///
 /// Geman-McClure weights, their width annealed to max(20 mm, 3 sigma), sigma measured from the
-/// residuals. The head's tilt is fitted too, held by its expectation. The covariance is the
-/// M-estimator's (a sandwich), the tilt marginalised, inflated by the correlation of points in the
-/// same sector, and by what each stretch of points being wrong would mean. Buffers are the only
-/// state.
+/// residuals; the last steps are Newton's, on residuals carried on by their derivatives. The head's
+/// tilt is fitted too, held by its expectation. The covariance is the M-estimator's (a sandwich),
+/// the tilt marginalised, inflated by the correlation of points in the same sector, and by what
+/// each stretch of points being wrong would mean. Buffers are the only state.
 class PostureFitter {
  public:
   /// @param start near the answer: within some 0.3 m and 10 degrees for a width of 0.25 m
@@ -149,8 +149,15 @@ class PostureFitter {
   static constexpr std::size_t kStretches = 2 * kSectors;
 
   struct Stretch {
-    Information info{Information::Zero()};  // in units of the claimed sigma
-    double weight{0.0};                     // sum of its points' weights
+    // Sums of products, lower half, in units of the claimed sigma; its first five are information.
+    Eigen::Matrix<double, 6, 6> squares{Eigen::Matrix<double, 6, 6>::Zero()};
+    double weight{0.0};  // sum of its points' weights
+  };
+
+  struct Step {
+    Eigen::Matrix<double, 5, 1> change{Eigen::Matrix<double, 5, 1>::Zero()};  // m, m, rad; tilt
+    double way{0.0};                // how far it moves line points, about; m
+    bool is_less_than_noise{true};  // of the answer
   };
 
   /// How each way to err together pulls at (x, y, theta, roll, pitch).
@@ -162,8 +169,10 @@ class PostureFitter {
             std::span<const LinePoint> points,
             std::size_t stride,
             const PostureFit& fit);
-  /// @return how far it moved line points, about; 0: by less than noise; m
-  [[nodiscard]] double step(PostureFit& fit, double width) const;
+  [[nodiscard]] Step next_step(const PostureFit& fit, double width) const;
+  /// Moves the posture, and by their derivatives the residuals.
+  /// @return how far it moved the point that it moved most; m
+  double take(const Step& step, PostureFit& fit);
   void judge(std::span<const LinePoint> points, PostureFit& fit);
   /// Of the residuals of the last look, weighted as `judge` weighs them.
   [[nodiscard]] Pulls measure_pulls(std::span<const LinePoint> points, const PostureFit& fit) const;
@@ -179,7 +188,7 @@ class PostureFitter {
   std::array<Stretch, kStretches> stretches_;
   std::vector<std::size_t> stretch_of_;  // each residual
   std::vector<LineResidual> residuals_;
-  std::vector<double> sorted_;
+  std::vector<double> squares_;
 };
 
 }  // namespace teamsight::vision
