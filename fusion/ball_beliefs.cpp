@@ -20,25 +20,49 @@ constexpr double kWorthSplitting = 0.03;
 constexpr std::array<std::size_t, 2> kPlaces{10, 6};
 static_assert(kPlaces[0] + kPlaces[1] == kMaxBallBeliefs);
 
-/// Of the possibilities that move like this, the least probable; the list's size if there still is
-/// room for one more.
-std::size_t superfluous(const BallBeliefs& beliefs, BallMode mode) {
-  std::size_t alike = 0;
+/// Of the possibilities that move like this, the least probable; the list's size if there is none.
+std::size_t least_probable(const BallBeliefs& beliefs, BallMode mode) {
   std::size_t least = beliefs.size();
   for (std::size_t i = 0; i < beliefs.size(); ++i) {
     if (beliefs[i].mode != mode) continue;
-    ++alike;
     if (least == beliefs.size() || beliefs[i].probability < beliefs[least].probability) least = i;
   }
-  const bool is_room = alike < kPlaces[static_cast<std::size_t>(mode)] && !beliefs.is_full();
-  return is_room ? beliefs.size() : least;
+  return least;
 }
 
-/// Puts one more in. A new one is always worth more than the old one that was least probable:
-/// nothing seen has spoken against it yet.
+/// The same; the list's size if there still is room for one more.
+std::size_t superfluous(const BallBeliefs& beliefs, BallMode mode) {
+  const auto alike = static_cast<std::size_t>(
+      std::count_if(beliefs.begin(), beliefs.end(), [&](const BallBelief& belief) {
+        return belief.mode == mode;
+      }));
+  const bool is_room = alike < kPlaces[static_cast<std::size_t>(mode)] && !beliefs.is_full();
+  return is_room ? beliefs.size() : least_probable(beliefs, mode);
+}
+
+/// Both as one, with their common mean and covariance.
+BallBelief merged(const BallBelief& a, const BallBelief& b) {
+  BallBelief both = a.seen < b.seen ? b : a;
+  both.state = a.state;
+  both.probability = a.probability + b.probability;
+  const double share = b.probability / both.probability;
+  const BallVector gap = b.state.mean - a.state.mean;
+  both.state.mean += share * gap;
+  both.state.cov = (1.0 - share) * a.state.cov + share * b.state.cov +
+                   share * (1.0 - share) * gap * gap.transpose();
+  both.state.cross = (1.0 - share) * a.state.cross + share * b.state.cross;
+  return both;
+}
+
+/// Puts one more in. Where there is no room, the two least probable of its kind become one: many of
+/// which none matters are not forgotten together.
 void put(BallBeliefs& beliefs, const BallBelief& belief) {
-  const std::size_t least = superfluous(beliefs, belief.mode);
-  if (least < beliefs.size()) beliefs.erase(least);
+  if (const std::size_t least = superfluous(beliefs, belief.mode); least < beliefs.size()) {
+    const BallBelief rest = beliefs[least];
+    beliefs.erase(least);
+    const std::size_t next = least_probable(beliefs, belief.mode);
+    if (next < beliefs.size()) beliefs[next] = merged(beliefs[next], rest);
+  }
   if (!beliefs.is_full()) beliefs.push_back(belief);
 }
 
@@ -55,20 +79,40 @@ void take_step(BallBelief& belief, const BallStep& step, const BallMotion& motio
   lay_down(belief.state, motion);
 }
 
+/// Kicks are soft, hard or into the air; shares add up to 1.
+struct KickKind {
+  BallMode into{BallMode::kRolling};
+  double sigma{0.0};  // see Kick
+  double share{0.0};
+};
+
+std::array<KickKind, 3> kinds_of_kick(const BallMotion& motion) {
+  const double along = 1.0 - motion.high_share;
+  return {{{BallMode::kRolling, motion.sigma_shot, along * motion.shot_share},
+           {BallMode::kRolling, motion.sigma_pass, along * (1.0 - motion.shot_share)},
+           {BallMode::kFlying, motion.sigma_high, motion.high_share}}};
+}
+
 /// How often, and into which direction, a ball would be kicked that is where a possibility says.
 struct KickChance {
   double rate{0.0};  // 1/s
   Eigen::Vector2d away{Eigen::Vector2d::Zero()};
 };
 
-KickChance chance_of(const BallBelief& belief, const FeetList& feet, const BallMotion& motion) {
+KickChance chance_of(const BallBelief& belief, const Kickers& kickers, const BallMotion& motion) {
   if (belief.state.mean(2) > motion.foot_height) return {};
-  const double var = 0.5 * (belief.state.cov(0, 0) + belief.state.cov(1, 1));
-  const Touch touch = likeliest_touch(belief.state.mean.head<2>(), var, feet, motion.foot_reach);
-  const double by_foot = touch.probability * motion.kicks_at_foot;
-  const double rate = by_foot + (1.0 - touch.probability) * motion.kicks_alone;
+  const BallPlace place{belief.state.mean.head<2>(),
+                        0.5 * (belief.state.cov(0, 0) + belief.state.cov(1, 1))};
+  const Touch touch = likeliest_touch(place, kickers.known, motion.foot_reach);
+  // One that runs into a robot comes back at once.
+  const double towards = std::max(0.0, -touch.away.dot(belief.state.mean.segment<2>(3)));
+  const double by_known =
+      touch.probability * (motion.kicks_at_foot + towards / motion.stopping_way);
+  const double by_unseen = (1.0 - touch.probability) *
+                           unseen_touch(place, kickers, motion.foot_reach) * motion.kicks_at_foot;
+  const double rate = by_known + by_unseen + motion.kicks_alone;
   if (rate <= 0.0) return {};
-  return {rate, (by_foot / rate) * touch.away};
+  return {rate, (by_known / rate) * touch.away};
 }
 
 BallBelief kicked(const BallBelief& before, double dt, const Kick& kick, const BallMotion& motion) {
@@ -100,20 +144,6 @@ bool is_alike(const BallBelief& a, const Shape& in_a, const BallBelief& b, const
   const BallVector gap = b.state.mean - a.state.mean;
   return gap.dot(in_a.factor.solve(gap)) < kMostDistance &&
          gap.dot(in_b.factor.solve(gap)) < kMostDistance;
-}
-
-/// Both as one, with their common mean and covariance.
-BallBelief merged(const BallBelief& a, const BallBelief& b) {
-  BallBelief both = a.seen < b.seen ? b : a;
-  both.state = a.state;
-  both.probability = a.probability + b.probability;
-  const double share = b.probability / both.probability;
-  const BallVector gap = b.state.mean - a.state.mean;
-  both.state.mean += share * gap;
-  both.state.cov = (1.0 - share) * a.state.cov + share * b.state.cov +
-                   share * (1.0 - share) * gap * gap.transpose();
-  both.state.cross = (1.0 - share) * a.state.cross + share * b.state.cross;
-  return both;
 }
 
 /// Adds one; if there is no room for more of its kind, the least probable of them is forgotten.
@@ -162,31 +192,30 @@ void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
   }
 }
 
-double kick_rate(const BallBeliefs& beliefs, const FeetList& feet, const BallMotion& motion) {
+double kick_rate(const BallBeliefs& beliefs, const Kickers& kickers, const BallMotion& motion) {
   double rate = 0.0;
   for (const BallBelief& belief : beliefs) {
-    rate += belief.probability * chance_of(belief, feet, motion).rate;
+    rate += belief.probability * chance_of(belief, kickers, motion).rate;
   }
   return rate;
 }
 
 void split_off_kicks(BallBeliefs& beliefs,
                      double dt,
-                     const FeetList& feet,
+                     const Kickers& kickers,
                      const BallMotion& motion) {
   BallBeliefs kicks;
   for (BallBelief& belief : beliefs) {
     if (belief.probability < kWorthSplitting) continue;
-    const KickChance chance = chance_of(belief, feet, motion);
+    const KickChance chance = chance_of(belief, kickers, motion);
     const double kick = 1.0 - std::exp(-chance.rate * dt);
     if (kick <= 0.0) continue;
-    BallBelief along = kicked(belief, dt, {BallMode::kRolling, chance.away}, motion);
-    BallBelief up = kicked(belief, dt, {BallMode::kFlying, chance.away}, motion);
-    along.probability *= kick * (1.0 - motion.high_share);
-    up.probability *= kick * motion.high_share;
+    for (const KickKind& kind : kinds_of_kick(motion)) {
+      BallBelief after = kicked(belief, dt, {kind.into, chance.away, kind.sigma}, motion);
+      after.probability *= kick * kind.share;
+      put(kicks, after);
+    }
     belief.probability *= 1.0 - kick;
-    put(kicks, along);
-    put(kicks, up);
   }
   for (const BallBelief& kick : kicks) put(beliefs, kick);
   normalise(beliefs);
@@ -235,7 +264,8 @@ BallMoments moments_of(const BallBeliefs& beliefs) {
 
 void doubt_kicks(BallMoments& moments, double dt, double rate, const BallMotion& motion) {
   const double chance = 1.0 - std::exp(-rate * dt);
-  const double along = motion.sigma_kick * motion.sigma_kick;
+  double along = 0.0;
+  for (const KickKind& kind : kinds_of_kick(motion)) along += kind.share * kind.sigma * kind.sigma;
   const double up = motion.climb * motion.climb + motion.sigma_climb * motion.sigma_climb;
   Eigen::Vector3d changed = Eigen::Vector3d(along, along, motion.high_share * up);
   changed.head<2>() += moments.mean.segment<2>(3).cwiseAbs2();

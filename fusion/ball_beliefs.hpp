@@ -40,13 +40,13 @@ void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion);
 
 /// Kicks per second to be expected of a ball, wherever it may be.
 [[nodiscard]] double kick_rate(const BallBeliefs& beliefs,
-                               const FeetList& feet,
+                               const Kickers& kickers,
                                const BallMotion& motion);
 
 /// Adds the possibilities that the ball was kicked within the last `dt` (s).
 void split_off_kicks(BallBeliefs& beliefs,
                      double dt,
-                     const FeetList& feet,
+                     const Kickers& kickers,
                      const BallMotion& motion);
 
 /// Adds others, their probabilities on the same scale: those that matter one by one, if there is

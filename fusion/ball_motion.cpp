@@ -91,8 +91,8 @@ BallStep step_kicked(const BallVector& mean,
   // Of a normal distribution's half beyond a line through its middle, in standard deviations.
   constexpr double kMeanOfHalf = 0.79788456;  // sqrt(2 / pi)
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  velocity.head<2>() = kMeanOfHalf * motion.sigma_kick * kick.away;
-  const double var = motion.sigma_kick * motion.sigma_kick;
+  velocity.head<2>() = kMeanOfHalf * kick.sigma * kick.away;
+  const double var = kick.sigma * kick.sigma;
   Eigen::Matrix3d spread = Eigen::Vector3d(var, var, 0.0).asDiagonal();
   spread -= velocity * velocity.transpose();
   if (kick.into == BallMode::kFlying) {

@@ -28,11 +28,15 @@ struct BallMotion {
   double bounce_doubt{0.15};  ///< of the speed: what a bounce does besides
   double least_climb{0.4};    ///< m/s: a bounce that leaves less ends on the floor
   double kicks_at_foot{6.0};  ///< per second, of a ball that a robot touches
-  double kicks_alone{0.1};    ///< per second, of one that no known robot touches: walls, the unseen
+  double kicks_alone{0.005};  ///< per second, of any ball, whoever is near: nobody can know of all
+  double stopping_way{0.25};  ///< m; after so much on its way into a robot it is on its way back
   double high_share{0.22};    ///< of all kicks; the others go along the floor
   double foot_reach{0.25};    ///< m from a robot's body to the centre of a ball that it can kick
   double foot_height{0.5};    ///< m: no foot reaches higher
-  double sigma_kick{4.0};     ///< m/s per floor component, of the velocity after a kick
+  double sigma_pass{2.5};     ///< m/s per floor component, of the velocity after a soft kick
+  double sigma_shot{6.0};     ///< ... after a hard one
+  double shot_share{0.4};     ///< hard ones among the kicks along the floor
+  double sigma_high{4.0};     ///< m/s per floor component, after a kick into the air
   double climb{3.0};          ///< m/s, of the vertical velocity after a high kick
   double sigma_climb{2.0};    ///< m/s
   double fastest{12.0};       ///< m/s; no robot's kick is faster
@@ -73,6 +77,7 @@ struct Kick {
   /// Mean of the unit vector away from the foot, times the probability that a foot kicks; zero: a
   /// kick into any direction. No robot kicks through its own body.
   Eigen::Vector2d away{Eigen::Vector2d::Zero()};
+  double sigma{0.0};  ///< of the velocity afterwards, per floor component; m/s
 };
 
 /// A kick at an unknown instant of the last `dt`: the velocity afterwards says nothing of the one

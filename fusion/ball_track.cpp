@@ -22,7 +22,7 @@ class BallKind {
 
   BallKind(const BallSightings& sightings, const Scene& scene, const BallSetting& setting)
       : rays_(sightings.rays),
-        feet_(sightings.feet),
+        kickers_(sightings.kickers),
         glance_(scene.glance),
         errors_(scene.errors),
         hiding_(scene.hiding),
@@ -41,8 +41,20 @@ class BallKind {
     constexpr double kShortest = 0.02;  // s
     track.since_split += dt;
     if (track.since_split < kShortest) return;
-    track.kick_rate = kick_rate(track.beliefs, feet_, setting_.motion);
-    split_off_kicks(track.beliefs, track.since_split, feet_, setting_.motion);
+    // Where no robot has said anything for so long, anybody may have come.
+    constexpr double kSilence = 0.3;  // s
+    if (dt > kSilence) {
+      const UnseenMap nobody_looked;
+      Kickers anybody = kickers_;
+      anybody.unseen = &nobody_looked;
+      return think_of_kicks(track, anybody);
+    }
+    think_of_kicks(track, kickers_);
+  }
+
+  void think_of_kicks(BallTrack& track, const Kickers& kickers) const {
+    track.kick_rate = kick_rate(track.beliefs, kickers, setting_.motion);
+    split_off_kicks(track.beliefs, track.since_split, kickers, setting_.motion);
     track.since_split = 0.0;
   }
 
@@ -308,7 +320,7 @@ class BallKind {
   }
 
   const std::vector<BallRay>& rays_;
-  const FeetList& feet_;
+  const Kickers& kickers_;
   const Glance& glance_;
   const TeamErrors& errors_;
   const CandidateList& hiding_;

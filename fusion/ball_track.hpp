@@ -29,7 +29,7 @@ struct BallSetting {
 struct BallSightings {
   const CandidateList& candidates;  ///< where they meet the floor; `index` says which ray it is
   const std::vector<BallRay>& rays;
-  const FeetList& feet;  ///< who may kick it
+  const Kickers& kickers;  ///< who may kick it
 };
 
 /// Takes all ball rays that one frame shows into the tracks, see fusion/turn.hpp. A bank of

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "fusion/inline_list.hpp"
+#include "fusion/unseen.hpp"
 
 namespace teamsight::fusion {
 
@@ -18,6 +19,15 @@ struct Feet {
 inline constexpr std::size_t kMaxFeet = 40;
 using FeetList = InlineList<Feet, kMaxFeet>;
 
+/// Who may kick a ball: the robots that are known, and those that nobody has seen yet.
+struct Kickers {
+  FeetList known;
+  const UnseenMap* unseen{nullptr};  ///< where the others may stand; none: there are no others
+  Carpet carpet;                     ///< that the map lies over
+  double density{0.0};               ///< of the others where nobody ever looked, per m^2
+  double radius{0.25};               ///< of their bodies; m
+};
+
 /// The robot that most likely touches a ball.
 struct Touch {
   /// That it does, in [0, 1].
@@ -26,12 +36,16 @@ struct Touch {
   Eigen::Vector2d away{Eigen::Vector2d::Zero()};
 };
 
-/// @param ball_F  the ball's place; m
-/// @param ball_var  of its place, per coordinate; m^2
+/// Where a ball may be on the floor.
+struct BallPlace {
+  Eigen::Vector2d p_F{Eigen::Vector2d::Zero()};  ///< m
+  double var{0.0};                               ///< per coordinate; m^2
+};
+
 /// @param reach  how far a robot's foot reaches from its body to the ball's centre; m
-[[nodiscard]] Touch likeliest_touch(const Eigen::Vector2d& ball_F,
-                                    double ball_var,
-                                    const FeetList& feet,
-                                    double reach);
+[[nodiscard]] Touch likeliest_touch(const BallPlace& ball, const FeetList& feet, double reach);
+
+/// That a robot of which nobody knows touches the ball, in [0, 1].
+[[nodiscard]] double unseen_touch(const BallPlace& ball, const Kickers& kickers, double reach);
 
 }  // namespace teamsight::fusion

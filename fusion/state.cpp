@@ -117,10 +117,16 @@ double variance_of(const Eigen::Matrix2d& cov) {
   return 0.5 * cov.trace();
 }
 
-/// Where the robots stand that may kick a ball: teammates that are believed, and obstacles.
-FeetList feet_at(const State& state, HostTime exposure, const Parameters& parameters) {
+/// Who may kick a ball: teammates that are believed, obstacles, and whom nobody has seen yet.
+Kickers kickers_at(const State& state, HostTime exposure, const Setting& setting) {
   static_assert(kMaxFeet >= kMaxRobotId + kMaxTracks);
-  FeetList feet;
+  const Parameters& parameters = setting.parameters;
+  Kickers kickers{{},
+                  &state.unseen,
+                  Carpet::of(setting.field, parameters.carpet_margin),
+                  parameters.newcomer.density,
+                  parameters.robot_radius};
+  FeetList& feet = kickers.known;
   for (const Teammate& teammate : state.teammates) {
     if (teammate.posture.time == kNever ||
         exposure - teammate.seen > parameters.teammate.forget_age ||
@@ -138,7 +144,7 @@ FeetList feet_at(const State& state, HostTime exposure, const Parameters& parame
     feet.push_back(
         {moments.mean.head<2>(), variance_of(moments.cov.topLeftCorner<2, 2>()), track.radius});
   }
-  return feet;
+  return kickers;
 }
 
 /// Says of each obstacle how much is to be doubted if it is no track's, and what the frame tells of
@@ -175,10 +181,10 @@ std::size_t take_sighted(State& state,
   const Scene scene{glance, state.errors, sighted.obstacles};
   weigh_newcomers(state.unseen, obstacles, scene, setting);
   const BallSetting ball{parameters.ball_motion, parameters.ball};
-  const FeetList feet = feet_at(state, observation.exposure, parameters);
+  const Kickers kickers = kickers_at(state, observation.exposure, setting);
   const BallKeys known = confirmed_keys(state.balls);
   const std::uint32_t unused =
-      take_in(state.balls, {sighted.balls, observation.balls, feet}, scene, ball) +
+      take_in(state.balls, {sighted.balls, observation.balls, kickers}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
   state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters);
   return sighted.balls.size() + sighted.obstacles.size() - unused;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 0.02;  // s
 const BallMotion kMotion;
-const FeetList kNobodyNear;
+const Kickers kNobodyNear;
 
 BallBeliefs rolling_ball() {
   BallBelief belief;
@@ -36,19 +36,30 @@ TEST(BallBeliefs, AKickLeavesTheBallThatRollsAsSharpAsItWas) {
 
   split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
 
-  ASSERT_EQ(beliefs.size(), 3U);
+  ASSERT_EQ(beliefs.size(), 4U);
   EXPECT_EQ(beliefs[0].state.cov, rolling_ball()[0].state.cov);
   EXPECT_GT(beliefs[0].probability, 0.95);
   EXPECT_GT(beliefs[1].state.cov(3, 3), 10.0);
-  EXPECT_EQ(beliefs[2].mode, BallMode::kFlying);
+  EXPECT_GT(beliefs[1].state.cov(3, 3), beliefs[2].state.cov(3, 3));
+  EXPECT_EQ(beliefs[3].mode, BallMode::kFlying);
+}
+
+/// Nobody has ever looked where robots stand.
+Kickers anybody(const UnseenMap& unseen) {
+  Kickers kickers;
+  kickers.unseen = &unseen;
+  kickers.carpet = {{0.0, 0.0}, {30.0, 20.0}};
+  kickers.density = 0.017;
+  return kickers;
 }
 
 TEST(BallBeliefs, StayOneProbabilityHoweverLongNobodySeesTheBall) {
   BallBeliefs beliefs = rolling_ball();
+  const UnseenMap unseen;
 
   for (int i = 0; i < 100; ++i) {
     advance(beliefs, kStep, kMotion);
-    split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
+    split_off_kicks(beliefs, kStep, anybody(unseen), kMotion);
     ASSERT_NEAR(total(beliefs), 1.0, 1e-9) << i;
   }
 
@@ -84,10 +95,10 @@ TEST(BallBeliefs, ManyThatHardlyMatterAreKeptAsOneBesideAFullList) {
 }
 
 /// A robot behind the ball: the ball rolls along x.
-FeetList foot_at(double behind) {
-  FeetList feet;
-  feet.push_back({{5.0 - behind, 2.0}, 1e-4, 0.25});
-  return feet;
+Kickers foot_at(double behind) {
+  Kickers kickers;
+  kickers.known.push_back({{5.0 - behind, 2.0}, 1e-4, 0.25});
+  return kickers;
 }
 
 TEST(BallBeliefs, ABallIsKickedByWhoTouchesIt) {
@@ -98,13 +109,43 @@ TEST(BallBeliefs, ABallIsKickedByWhoTouchesIt) {
   EXPECT_EQ(kick_rate(beliefs, kNobodyNear, kMotion), kMotion.kicks_alone);
 }
 
+TEST(BallBeliefs, ABallThatRunsIntoARobotComesBackAtOnce) {
+  const BallBeliefs beliefs = rolling_ball();
+
+  const double from = kick_rate(beliefs, foot_at(0.3), kMotion);
+  const double into = kick_rate(beliefs, foot_at(-0.3), kMotion);
+
+  EXPECT_GT(into, from + 0.7 / kMotion.stopping_way);
+}
+
+TEST(BallBeliefs, WhomNobodyHasSeenMayKickABallWhereNobodyLooks) {
+  const BallBeliefs beliefs = rolling_ball();
+  const UnseenMap unseen;
+
+  const double rate = kick_rate(beliefs, anybody(unseen), kMotion);
+
+  // Robots of whom so many stand on a square metre, on the disc from where the ball is reached.
+  EXPECT_NEAR(rate, kMotion.kicks_alone + 0.017 * 0.785 * kMotion.kicks_at_foot, 0.002);
+}
+
+TEST(BallBeliefs, ABallThatMayBeAnywhereIsHardlyEverAtOneRobotsFoot) {
+  BallBeliefs beliefs = rolling_ball();
+  beliefs[0].state.cov.topLeftCorner<2, 2>() = 4.0 * Eigen::Matrix2d::Identity();
+
+  const double rate = kick_rate(beliefs, foot_at(0.0), kMotion);
+
+  // The disc's area times the density in the middle.
+  const double touched = 0.25 * 3.1416 / (2.0 * 3.1416 * 4.0);
+  EXPECT_NEAR(rate, kMotion.kicks_alone + touched * kMotion.kicks_at_foot, 0.1);
+}
+
 TEST(BallBeliefs, AKickLeadsAwayFromTheFoot) {
   BallBeliefs beliefs = rolling_ball();
 
   split_off_kicks(beliefs, kStep, foot_at(0.4), kMotion);
 
-  ASSERT_EQ(beliefs.size(), 3U);
-  EXPECT_GT(beliefs[1].state.mean(3), 0.5 * kMotion.sigma_kick);
+  ASSERT_EQ(beliefs.size(), 4U);
+  EXPECT_GT(beliefs[1].state.mean(3), 0.5 * kMotion.sigma_shot);
   EXPECT_NEAR(beliefs[1].state.mean(4), 0.0, 1e-9);
 }
 

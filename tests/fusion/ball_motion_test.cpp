@@ -61,9 +61,10 @@ TEST(FlyingBall, RollsWhenABounceLeavesNothing) {
 }
 
 TEST(KickedBall, HasAnyVelocityFromAnInstantWithinTheStep) {
-  const BallStep kick = step_kicked(moving(kMotion.radius, 2.0, 0.0), kStep, Kick{}, kMotion);
+  const BallStep kick = step_kicked(
+      moving(kMotion.radius, 2.0, 0.0), kStep, {BallMode::kRolling, {0.0, 0.0}, 4.0}, kMotion);
 
-  const double changed = kMotion.sigma_kick * kMotion.sigma_kick;
+  const double changed = 4.0 * 4.0;
   EXPECT_EQ(kick.mean(3), 0.0);
   EXPECT_NEAR(kick.mean(0), -0.5 * kStep * 2.0, 1e-12);
   EXPECT_NEAR(kick.disturbance(3, 3), changed, 1e-12);
@@ -73,13 +74,13 @@ TEST(KickedBall, HasAnyVelocityFromAnInstantWithinTheStep) {
 TEST(KickedBall, GoesAwayFromTheFootThatKicksIt) {
   const Eigen::Vector2d away(0.0, 1.0);
 
-  const BallStep kick =
-      step_kicked(moving(kMotion.radius, 0.0, 0.0), kStep, {BallMode::kRolling, away}, kMotion);
+  const BallStep kick = step_kicked(
+      moving(kMotion.radius, 0.0, 0.0), kStep, {BallMode::kRolling, away, 4.0}, kMotion);
 
   // Half of a normal distribution: its mean, and what is left of its variance.
-  const double var = kMotion.sigma_kick * kMotion.sigma_kick;
+  const double var = 4.0 * 4.0;
   EXPECT_EQ(kick.mean(3), 0.0);
-  EXPECT_NEAR(kick.mean(4), 0.798 * kMotion.sigma_kick, 0.01);
+  EXPECT_NEAR(kick.mean(4), 0.798 * 4.0, 0.01);
   EXPECT_NEAR(kick.disturbance(3, 3), var, 1e-9);
   EXPECT_NEAR(kick.disturbance(4, 4), 0.363 * var, 0.01);
 }
