@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "fusion/eyesight.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/track_book.hpp"
 #include "geometry/identity.hpp"
@@ -78,6 +79,7 @@ struct Teammate {
   PostureStatus status{PostureStatus::kLost};  ///< of its last frame
   double half_log_odds{0.0};                   ///< of its last frame
   PostureTrack posture;
+  Eyesight eyes;
   std::uint32_t accepted{0};          ///< ball rays and obstacle sightings used
   std::uint32_t rejected_gate{0};     ///< ... that fitted nothing
   std::uint32_t rejected_posture{0};  ///< frames unused for want of a posture

@@ -10,6 +10,9 @@
 namespace teamsight::fusion {
 namespace {
 
+// No two bodies stand nearer to each other: what is nearer than this hides itself; m.
+constexpr double kApart = 0.3;
+
 std::size_t index_of(RobotId robot) {
   return static_cast<std::size_t>(robot) - 1U;
 }
@@ -140,6 +143,37 @@ double detection_probability(const Eigen::Vector2d& p_F,
     if (candidate.distance < distance && aside < candidate.half_angle) return 0.0;
   }
   return parameters.detection_probability * (1.0 - distance / parameters.detection_range);
+}
+
+bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene) {
+  const Eigen::Vector2d way = p_F - scene.glance.observer();
+  const double distance = way.norm();
+  const double azimuth = std::atan2(way.y(), way.x());
+  const auto hides = [&](const auto& body, double margin) {
+    return body.distance < distance - margin &&
+           std::abs(angle_difference(azimuth, body.azimuth)) < body.half_angle;
+  };
+  return std::any_of(scene.hiding.begin(),
+                     scene.hiding.end(),
+                     [&](const Candidate& body) { return hides(body, 0.0); }) ||
+         std::any_of(scene.sight.shadows.begin(),
+                     scene.sight.shadows.end(),
+                     [&](const Shadow& body) { return hides(body, kApart); });
+}
+
+double missed_probability(const Eigen::Vector2d& p_F,
+                          const Scene& scene,
+                          const TrackParameters& parameters) {
+  return -std::expm1(scene.sight.news * std::log1p(-shown_probability(p_F, scene, parameters)));
+}
+
+double shown_probability(const Eigen::Vector2d& p_F,
+                         const Scene& scene,
+                         const TrackParameters& parameters) {
+  const double distance = (p_F - scene.glance.observer()).norm();
+  const double probability =
+      scene.sight.eyes.probability(distance, parameters, scene.sight.parameters);
+  return probability > 0.0 && !is_hidden(p_F, scene) ? probability : 0.0;
 }
 
 }  // namespace teamsight::fusion

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "fusion/eyesight.hpp"
 #include "fusion/inline_list.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/planar_filter.hpp"
@@ -135,6 +136,7 @@ struct Scene {
   const Glance& glance;
   const TeamErrors& errors;
   const CandidateList& hiding;  ///< everything the frame shows that may hide a track
+  const Sight& sight = kPlainSight;
 };
 
 /// That a robot which looks from there reports a thing at `p_F`: falls with the distance, 0 behind
@@ -143,5 +145,20 @@ struct Scene {
                                            const Eigen::Vector2d& observer_F,
                                            const CandidateList& hiding,
                                            const TrackParameters& parameters);
+
+/// Whether something that the frame shows, or that is known to be there, stands between.
+[[nodiscard]] bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene);
+
+/// What it means that the frame does not show an obstacle at `p_F`: as `shown_probability`, but of
+/// a frame that comes soon after the robot's last one only the share that tells something new.
+[[nodiscard]] double missed_probability(const Eigen::Vector2d& p_F,
+                                        const Scene& scene,
+                                        const TrackParameters& parameters);
+
+/// That the frame would show an obstacle at `p_F`, from what is known of its robot's eyes; 0 behind
+/// something nearer.
+[[nodiscard]] double shown_probability(const Eigen::Vector2d& p_F,
+                                       const Scene& scene,
+                                       const TrackParameters& parameters);
 
 }  // namespace teamsight::fusion
