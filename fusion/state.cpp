@@ -79,8 +79,12 @@ void gather_evidence(State& state,
   const RobotId robot = observation.id.robot;
   if (!state.trust.is_due(robot, observation.exposure, parameters)) return;
   const ClaimList claims = claims_of_others(state, robot, observation.exposure, setting.parameters);
+  Eyes eyes;
+  for (const Teammate& mate : state.teammates) {
+    if (mate.robot != robot) eyes.push_back(mate.eyes);
+  }
   const Testimony testimony{
-      robot, observation.posture.X_FR.origin().vector(), sighted.balls, sighted.obstacles};
+      robot, observation.posture.X_FR.origin().vector(), sighted.balls, sighted.obstacles, eyes};
   const Eigen::Vector2d centre_F = setting.field.centre.vector();
   state.trust.begin_look(robot, observation.exposure, parameters);
   state.trust.note(robot,
