@@ -38,6 +38,8 @@ struct TrackParameters {
   double lasting_log_odds{std::numeric_limits<double>::infinity()};
   double most_vote{3.0};  ///< log-odds that one robot adds, or takes away: 95 %
   Duration vote_memory{std::chrono::seconds(2)};
+  /// What one robot alone goes on to see for longer is where that robot says, see `take_back`.
+  Duration led_astray{std::chrono::milliseconds(200)};
   /// False ones that one frame shows, per m^2 of floor: one in a hundred frames, on 110 m^2.
   double false_density{1e-4};
   /// Mean of how long one robot goes on seeing a false one.

@@ -66,9 +66,17 @@ void write_miss(TrackBook& book,
 
 void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters) {
   const std::size_t index = index_of(robot);
-  if (book.supported[index] == kNever) return;
+  const HostTime said = book.supported[index];
+  if (said == kNever) return;
   book.supported[index] = kNever;
   book.votes[index] = std::min(book.votes[index], 0.0);
+  const HostTime others_said = *std::max_element(book.supported.begin(), book.supported.end());
+  if (said - others_said > parameters.led_astray) {
+    // It has gone where that robot alone led it: what the others saw was elsewhere.
+    for (double& vote : book.votes) vote = std::min(vote, 0.0);
+    book.proven = 0.0;
+    return;
+  }
   const auto others = std::count_if(book.supported.begin(),
                                     book.supported.end(),
                                     [](HostTime supported) { return supported != kNever; });

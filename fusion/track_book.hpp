@@ -67,7 +67,8 @@ void write_miss(TrackBook& book,
                 const TrackParameters& parameters);
 
 /// The robot is found to stand elsewhere than it says: nothing that it saw speaks for this track,
-/// and it is worth what the others can have vouched for. Done twice, it is done once.
+/// and it is worth what the others can have vouched for: nothing, if that robot went on to see it
+/// after the last of them, for it was led away from what they saw. Done twice, it is done once.
 void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters);
 
 /// Probability that the track's thing is there at `now`.
