@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "geometry/angle.hpp"
@@ -12,6 +13,12 @@ namespace {
 
 // No two bodies stand nearer to each other: what is nearer than this hides itself; m.
 constexpr double kApart = 0.3;
+
+/// Size of the turn between two azimuths of (-pi, pi]: this is asked for every cell of a map.
+double turn_between(double a, double b) {
+  const double turn = std::abs(a - b);
+  return std::min(turn, 2.0 * std::numbers::pi - turn);
+}
 
 std::size_t index_of(RobotId robot) {
   return static_cast<std::size_t>(robot) - 1U;
@@ -159,7 +166,7 @@ bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene) {
   const double azimuth = std::atan2(way.y(), way.x());
   const auto hides = [&](const auto& body, double margin) {
     return body.distance < distance - margin &&
-           std::abs(angle_difference(azimuth, body.azimuth)) < body.half_angle;
+           turn_between(azimuth, body.azimuth) < body.half_angle;
   };
   return std::any_of(scene.hiding.begin(),
                      scene.hiding.end(),
