@@ -75,22 +75,30 @@ class Watched : public ::testing::Test {
   /// @param is_seeing  whether the near robot reports what it should while the opponent is there
   /// @return for how long the opponent is listed after it has gone; s
   double listed_for(bool is_seeing) {
-    constexpr double kGone = 4.0;
+    constexpr int kGone = 100;
+    constexpr int kEnd = 175;
     Fusion fusion(Parameters{}, plain_field());
-    Eye near(1, 11);
-    Eye far(2, 22);
-    for (double t = 0.0; t < kGone + 3.0; t += 0.04) {
-      for (const bool is_near : {true, false}) {
-        Eye& eye = is_near ? near : far;
-        eye.look(is_near ? Pose<Field, Robot>{0.0, 0.0, 0.0} : Pose<Field, Robot>{7.0, 0.0, 3.14},
-                 at_second(t));
-        if (t < kGone && (is_seeing || !is_near)) eye.see_obstacle({4.5, 0.0});
-        fusion.insert(eye.frame(), at_second(t));
-      }
-      if (t > kGone && fusion.world_at(at_second(t)).obstacles.empty()) return t - kGone;
+    for (int i = 0; i < kEnd; ++i) {
+      const HostTime now = at_second(kFrame * i);
+      look(fusion, near_, {0.0, 0.0, 0.0}, now, i < kGone && is_seeing);
+      look(fusion, far_, {7.0, 0.0, 3.14}, now, i < kGone);
+      if (i > kGone && fusion.world_at(now).obstacles.empty()) return kFrame * (i - kGone);
     }
     return 1e9;
   }
+
+ private:
+  static constexpr double kFrame = 0.04;  // s
+
+  static void look(
+      Fusion& fusion, Eye& eye, const Pose<Field, Robot>& X_FR, HostTime now, bool is_shown) {
+    eye.look(X_FR, now);
+    if (is_shown) eye.see_obstacle({4.5, 0.0});
+    fusion.insert(eye.frame(), now);
+  }
+
+  Eye near_{1, 11};
+  Eye far_{2, 22};
 };
 
 TEST_F(Watched, GoesSoonerIfTheRobotThatMissesItHasReportedWhatIsThere) {
