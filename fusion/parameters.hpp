@@ -38,6 +38,8 @@ struct TrackParameters {
   double lasting_log_odds{std::numeric_limits<double>::infinity()};
   double most_vote{3.0};  ///< log-odds that one robot adds, or takes away: 95 %
   Duration vote_memory{std::chrono::seconds(2)};
+  /// What one robot alone goes on to see for longer is where that robot says, see `take_back`.
+  Duration led_astray{std::chrono::milliseconds(200)};
   /// False ones that one frame shows, per m^2 of floor: one in a hundred frames, on 110 m^2.
   double false_density{1e-4};
   /// Mean of how long one robot goes on seeing a false one.
@@ -139,6 +141,19 @@ struct NewcomerParameters {
   double most_doubt{6.0};       ///< log-odds; as much as two robots' votes
 };
 
+/// How fast it is learned how completely a robot reports what it should see (fusion/eyesight.hpp).
+struct EyesightParameters {
+  /// What TrackParameters say of detection weighs as much as so many looks at one distance.
+  double given_weight{50.0};
+  Duration memory{std::chrono::seconds(30)};
+  double most{0.95};  ///< no robot's silence in one look is believed beyond this
+  /// What hides a thing in one frame hides it in the next: frames within this time are one look.
+  Duration look{std::chrono::milliseconds(100)};
+  /// Things are learned from that lie so well known (one sigma, m) and ...
+  double sigma{0.3};
+  Duration fresh{std::chrono::milliseconds(200)};  ///< ... were seen by another robot just now
+};
+
 /// How far a hint reaches, and for how long.
 struct HintParameters {
   /// It weighs as much as so many robots that watch the ball now, and from then on ever less.
@@ -156,6 +171,7 @@ struct Parameters {
   BallMotion ball_motion;
   ChoiceParameters choice;
   NewcomerParameters newcomer;
+  EyesightParameters eyesight;
   HintParameters hint;
   TrustParameters trust;
   TrackParameters obstacle{default_obstacle_parameters()};
@@ -168,6 +184,9 @@ struct Parameters {
   Duration max_future{std::chrono::milliseconds(50)};
   /// For how long an observation makes its robot a supporter.
   Duration support_window{std::chrono::milliseconds(500)};
+  /// An obstacle is published while it is likelier than not that it is there, and so near to its
+  /// place (m).
+  double obstacle_reach{1.0};
   double carpet_margin{0.5};  ///< m beyond the carpet within which things are still believed
 };
 

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "fusion/assignment.hpp"
+#include "fusion/sight.hpp"
 #include "fusion/sighted.hpp"
 #include "fusion/witness.hpp"
 
@@ -78,8 +79,12 @@ void gather_evidence(State& state,
   const RobotId robot = observation.id.robot;
   if (!state.trust.is_due(robot, observation.exposure, parameters)) return;
   const ClaimList claims = claims_of_others(state, robot, observation.exposure, setting.parameters);
+  Eyes eyes;
+  for (const Teammate& mate : state.teammates) {
+    if (mate.robot != robot) eyes.push_back(mate.eyes);
+  }
   const Testimony testimony{
-      robot, observation.posture.X_FR.origin().vector(), sighted.balls, sighted.obstacles};
+      robot, observation.posture.X_FR.origin().vector(), sighted.balls, sighted.obstacles, eyes};
   const Eigen::Vector2d centre_F = setting.field.centre.vector();
   state.trust.begin_look(robot, observation.exposure, parameters);
   state.trust.note(robot,
@@ -158,8 +163,7 @@ void weigh_newcomers(UnseenMap& unseen,
   unseen.wander_to(scene.glance.exposure, carpet, parameters.newcomer);
   for (Candidate& candidate : obstacles) {
     const Eigen::Vector2d& p_F = candidate.measurement.p_F;
-    const double detected =
-        detection_probability(p_F, scene.glance.observer(), scene.hiding, parameters.obstacle);
+    const double detected = shown_probability(p_F, scene, parameters.obstacle);
     candidate.doubt = doubt_of_newcomer(unseen.share_at(p_F, carpet), detected, parameters);
   }
   unseen.watch(scene, carpet, parameters.obstacle);
@@ -169,6 +173,7 @@ void weigh_newcomers(UnseenMap& unseen,
 ///
 /// @return how many balls and obstacles were used
 std::size_t take_sighted(State& state,
+                         Teammate& observer,
                          const Observation& observation,
                          const Sighted& sighted,
                          const Setting& setting) {
@@ -178,7 +183,8 @@ std::size_t take_sighted(State& state,
   const MateSightings mates = find_teammates(sighted.obstacles, state, observation, parameters);
   learn_from_teammates(state, sighted.obstacles, mates, glance, parameters);
   CandidateList obstacles = without(sighted.obstacles, mates);
-  const Scene scene{glance, state.errors, sighted.obstacles};
+  const Sight sight = sight_of(state, observer, glance, parameters);
+  const Scene scene{glance, state.errors, sighted.obstacles, sight};
   weigh_newcomers(state.unseen, obstacles, scene, setting);
   const BallSetting ball{parameters.ball_motion, parameters.ball};
   const Kickers kickers = kickers_at(state, observation.exposure, setting);
@@ -186,6 +192,7 @@ std::size_t take_sighted(State& state,
   const std::uint32_t unused =
       take_in(state.balls, {sighted.balls, observation.balls, kickers}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
+  learn_eyesight(state, observer, mates, scene, parameters);
   state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters);
   return sighted.balls.size() + sighted.obstacles.size() - unused;
 }
@@ -221,7 +228,7 @@ void advance(State& state, const Observation& observation, const Setting& settin
     return;
   }
   const auto offered = observation.balls.size() + observation.obstacles.size();
-  const auto used = take_sighted(state, observation, sighted, setting);
+  const auto used = take_sighted(state, observer, observation, sighted, setting);
   observer.rejected_gate += static_cast<std::uint32_t>(offered - used);
   observer.accepted += static_cast<std::uint32_t>(used);
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "fusion/eyesight.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/track_book.hpp"
 #include "geometry/identity.hpp"
@@ -68,15 +69,16 @@ struct CarriedPosture {
 /// One robot's processes, its postures, and the books about its observations.
 struct Teammate {
   RobotId robot{kNobody};
-  std::uint32_t boot{0};            ///< of the process that speaks for it
-  std::uint32_t other_boot{0};      ///< the one that spoke before; 0 = none
-  HostTime other_seen{kNever};      ///< when that one spoke last
-  HostTime duplicate_seen{kNever};  ///< when two were last heard in turn
-  HostTime seen{kNever};            ///< exposure of its last frame
-  std::uint32_t frame{0};           ///< sequence of that frame
-  HostTime ball_seen{kNever};
   PostureStatus status{PostureStatus::kLost};  ///< of its last frame
-  double half_log_odds{0.0};                   ///< of its last frame
+  std::uint32_t boot{0};                       ///< of the process that speaks for it
+  std::uint32_t other_boot{0};                 ///< the one that spoke before; 0 = none
+  std::uint32_t frame{0};                      ///< sequence of its last frame
+  HostTime other_seen{kNever};                 ///< when that one spoke last
+  HostTime duplicate_seen{kNever};             ///< when two were last heard in turn
+  HostTime seen{kNever};                       ///< exposure of its last frame
+  HostTime ball_seen{kNever};
+  double half_log_odds{0.0};  ///< of its last frame
+  Eyesight eyes;
   PostureTrack posture;
   std::uint32_t accepted{0};          ///< ball rays and obstacle sightings used
   std::uint32_t rejected_gate{0};     ///< ... that fitted nothing

@@ -23,9 +23,9 @@ class ObstacleKind {
   using Track = fusion::Track;
 
   ObstacleKind(const Scene& scene, const TrackParameters& parameters)
-      : glance_(scene.glance),
+      : scene_(scene),
+        glance_(scene.glance),
         errors_(scene.errors),
-        hiding_(scene.hiding),
         parameters_(parameters),
         observer_(scene.errors.place_of(scene.glance.robot)) {}
 
@@ -61,7 +61,7 @@ class ObstacleKind {
   }
 
   [[nodiscard]] double missed(const Track& track) const {
-    return detection_probability(place(track), glance_.observer(), hiding_, parameters_);
+    return missed_probability(place(track), scene_, parameters_);
   }
 
   [[nodiscard]] std::optional<Track> begin(const Candidate& candidate) const {
@@ -114,9 +114,9 @@ class ObstacleKind {
     return view;
   }
 
+  const Scene& scene_;
   const Glance& glance_;
   const TeamErrors& errors_;
-  const CandidateList& hiding_;
   const TrackParameters& parameters_;
   ErrorPlace observer_;
 };

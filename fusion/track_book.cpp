@@ -3,12 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "geometry/angle.hpp"
 
 namespace teamsight::fusion {
 namespace {
+
+// No two bodies stand nearer to each other: what is nearer than this hides itself; m.
+constexpr double kApart = 0.3;
+
+/// Size of the turn between two azimuths of (-pi, pi]: this is asked for every cell of a map.
+double turn_between(double a, double b) {
+  const double turn = std::abs(a - b);
+  return std::min(turn, 2.0 * std::numbers::pi - turn);
+}
 
 std::size_t index_of(RobotId robot) {
   return static_cast<std::size_t>(robot) - 1U;
@@ -63,9 +73,17 @@ void write_miss(TrackBook& book,
 
 void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters) {
   const std::size_t index = index_of(robot);
-  if (book.supported[index] == kNever) return;
+  const HostTime said = book.supported[index];
+  if (said == kNever) return;
   book.supported[index] = kNever;
   book.votes[index] = std::min(book.votes[index], 0.0);
+  const HostTime others_said = *std::max_element(book.supported.begin(), book.supported.end());
+  if (said - others_said > parameters.led_astray) {
+    // It has gone where that robot alone led it: what the others saw was elsewhere.
+    for (double& vote : book.votes) vote = std::min(vote, 0.0);
+    book.proven = 0.0;
+    return;
+  }
   const auto others = std::count_if(book.supported.begin(),
                                     book.supported.end(),
                                     [](HostTime supported) { return supported != kNever; });
@@ -140,6 +158,37 @@ double detection_probability(const Eigen::Vector2d& p_F,
     if (candidate.distance < distance && aside < candidate.half_angle) return 0.0;
   }
   return parameters.detection_probability * (1.0 - distance / parameters.detection_range);
+}
+
+bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene) {
+  const Eigen::Vector2d way = p_F - scene.glance.observer();
+  const double distance = way.norm();
+  const double azimuth = std::atan2(way.y(), way.x());
+  const auto hides = [&](const auto& body, double margin) {
+    return body.distance < distance - margin &&
+           turn_between(azimuth, body.azimuth) < body.half_angle;
+  };
+  return std::any_of(scene.hiding.begin(),
+                     scene.hiding.end(),
+                     [&](const Candidate& body) { return hides(body, 0.0); }) ||
+         std::any_of(scene.sight.shadows.begin(),
+                     scene.sight.shadows.end(),
+                     [&](const Shadow& body) { return hides(body, kApart); });
+}
+
+double missed_probability(const Eigen::Vector2d& p_F,
+                          const Scene& scene,
+                          const TrackParameters& parameters) {
+  return -std::expm1(scene.sight.news * std::log1p(-shown_probability(p_F, scene, parameters)));
+}
+
+double shown_probability(const Eigen::Vector2d& p_F,
+                         const Scene& scene,
+                         const TrackParameters& parameters) {
+  const double distance = (p_F - scene.glance.observer()).norm();
+  const double probability =
+      scene.sight.eyes.probability(distance, parameters, scene.sight.parameters);
+  return probability > 0.0 && !is_hidden(p_F, scene) ? probability : 0.0;
 }
 
 }  // namespace teamsight::fusion

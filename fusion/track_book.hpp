@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "fusion/eyesight.hpp"
 #include "fusion/inline_list.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/planar_filter.hpp"
@@ -66,7 +67,8 @@ void write_miss(TrackBook& book,
                 const TrackParameters& parameters);
 
 /// The robot is found to stand elsewhere than it says: nothing that it saw speaks for this track,
-/// and it is worth what the others can have vouched for. Done twice, it is done once.
+/// and it is worth what the others can have vouched for: nothing, if that robot went on to see it
+/// after the last of them, for it was led away from what they saw. Done twice, it is done once.
 void take_back(TrackBook& book, RobotId robot, const TrackParameters& parameters);
 
 /// Probability that the track's thing is there at `now`.
@@ -135,6 +137,7 @@ struct Scene {
   const Glance& glance;
   const TeamErrors& errors;
   const CandidateList& hiding;  ///< everything the frame shows that may hide a track
+  const Sight& sight = kPlainSight;
 };
 
 /// That a robot which looks from there reports a thing at `p_F`: falls with the distance, 0 behind
@@ -143,5 +146,20 @@ struct Scene {
                                            const Eigen::Vector2d& observer_F,
                                            const CandidateList& hiding,
                                            const TrackParameters& parameters);
+
+/// Whether something that the frame shows, or that is known to be there, stands between.
+[[nodiscard]] bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene);
+
+/// What it means that the frame does not show an obstacle at `p_F`: as `shown_probability`, but of
+/// a frame that comes soon after the robot's last one only the share that tells something new.
+[[nodiscard]] double missed_probability(const Eigen::Vector2d& p_F,
+                                        const Scene& scene,
+                                        const TrackParameters& parameters);
+
+/// That the frame would show an obstacle at `p_F`, from what is known of its robot's eyes; 0 behind
+/// something nearer.
+[[nodiscard]] double shown_probability(const Eigen::Vector2d& p_F,
+                                       const Scene& scene,
+                                       const TrackParameters& parameters);
 
 }  // namespace teamsight::fusion

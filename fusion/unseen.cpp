@@ -72,7 +72,8 @@ void UnseenMap::wander(float share) {
 void UnseenMap::watch(const Scene& scene, const Carpet& carpet, const TrackParameters& parameters) {
   const Eigen::Vector2d cell = cell_size(carpet);
   const Eigen::Vector2d observer_F = scene.glance.observer();
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(parameters.detection_range);
+  const Eigen::Vector2d reach =
+      Eigen::Vector2d::Constant(std::max(parameters.detection_range, Eyesight::kReach));
   const Eigen::Vector2d first = in_cells(observer_F - reach, carpet).cwiseMax(0.0);
   const Eigen::Vector2d last =
       in_cells(observer_F + reach, carpet).cwiseMin(Eigen::Vector2d(kColumns, kRows));
@@ -80,8 +81,8 @@ void UnseenMap::watch(const Scene& scene, const Carpet& carpet, const TrackParam
     for (int column = static_cast<int>(first.x()); column < static_cast<int>(std::ceil(last.x()));
          ++column) {
       const Eigen::Vector2d middle = Eigen::Vector2d(column + 0.5, row + 0.5).cwiseProduct(cell);
-      const double seen = detection_probability(
-          carpet.centre_F - 0.5 * carpet.size + middle, observer_F, scene.hiding, parameters);
+      const Eigen::Vector2d p_F = carpet.centre_F - 0.5 * carpet.size + middle;
+      const double seen = missed_probability(p_F, scene, parameters);
       float& share = shares_[index_of(column, row)];
       share = std::max(kLeastShare, share * static_cast<float>(1.0 - seen));
     }

@@ -42,11 +42,60 @@ double best_density(const Claim& claim, const CandidateList& candidates, double 
   return best;
 }
 
-/// Log-odds that the robot stands there rather than anywhere, by one claim.
-double odds_by(const Claim& claim, const Testimony& testimony, const Parameters& parameters) {
+/// Whether something else that is claimed stands between.
+bool is_behind_claims(const Claim& claim,
+                      const ClaimList& claims,
+                      const Eigen::Vector2d& observer_F,
+                      double body) {
+  const Shadow here = shadow_of(claim.p_F, body, observer_F);
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& other) {
+    if (other.is_ball) return false;
+    const Shadow shadow = shadow_of(other.p_F, body, observer_F);
+    return shadow.distance < here.distance - 2.0 * body &&
+           std::abs(angle_difference(shadow.azimuth, here.azimuth)) < shadow.half_angle;
+  });
+}
+
+/// That robots report an obstacle at this distance: the median of the eyes.
+double usual_probability(const Eyes& eyes, double distance, const Parameters& parameters) {
+  if (eyes.empty())
+    return Eyesight{}.probability(distance, parameters.obstacle, parameters.eyesight);
+  InlineList<double, kMaxRobotId> all;
+  for (const Eyesight& one : eyes) {
+    all.push_back(one.probability(distance, parameters.obstacle, parameters.eyesight));
+  }
+  double* const middle = all.begin() + (all.size() - 1) / 2;
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+/// That the robot's frame shows a claim if the robot stands where it says.
+double shown(const Claim& claim,
+             const Testimony& testimony,
+             const ClaimList& claims,
+             const Parameters& parameters) {
   const TrackParameters& track = claim.is_ball ? parameters.ball : parameters.obstacle;
-  const double seen =
-      detection_probability(claim.p_F, testimony.observer_F, testimony.obstacles, track);
+  if (claim.is_ball) {
+    return detection_probability(claim.p_F, testimony.observer_F, testimony.obstacles, track);
+  }
+  const double distance = (claim.p_F - testimony.observer_F).norm();
+  const double probability = usual_probability(testimony.eyes, distance, parameters);
+  if (probability == 0.0) return 0.0;
+  TrackParameters sure = track;
+  sure.detection_probability = 1.0;
+  sure.detection_range = 1e9;
+  const bool is_open =
+      detection_probability(claim.p_F, testimony.observer_F, testimony.obstacles, sure) > 0.0 &&
+      !is_behind_claims(claim, claims, testimony.observer_F, parameters.robot_radius);
+  return is_open ? probability : 0.0;
+}
+
+/// Log-odds that the robot stands there rather than anywhere, by one claim.
+double odds_by(const Claim& claim,
+               const Testimony& testimony,
+               const ClaimList& claims,
+               const Parameters& parameters) {
+  const double seen = shown(claim, testimony, claims, parameters);
   const CandidateList& candidates = claim.is_ball ? testimony.balls : testimony.obstacles;
   const double density = best_density(claim, candidates, parameters.trust.slack);
   // What cannot be expected is no evidence, unless it is found all the same.
@@ -63,12 +112,15 @@ EvidenceList weigh(const Testimony& testimony,
                    const Parameters& parameters) {
   const CandidateList turned_balls = turned(testimony.balls, centre_F);
   const CandidateList turned_obstacles = turned(testimony.obstacles, centre_F);
-  const Testimony other{
-      testimony.robot, 2.0 * centre_F - testimony.observer_F, turned_balls, turned_obstacles};
+  const Testimony other{testimony.robot,
+                        2.0 * centre_F - testimony.observer_F,
+                        turned_balls,
+                        turned_obstacles,
+                        testimony.eyes};
   std::array<PairEvidence, kMaxRobotId> by_robot{};
   for (const Claim& claim : claims) {
-    const double here = odds_by(claim, testimony, parameters);
-    const double there = odds_by(claim, other, parameters);
+    const double here = odds_by(claim, testimony, claims, parameters);
+    const double there = odds_by(claim, other, claims, parameters);
     if (here == 0.0 && there == 0.0) continue;
     const double share = 1.0 / std::max(1, std::popcount(claim.claimants));
     for (std::size_t i = 0; i < by_robot.size(); ++i) {

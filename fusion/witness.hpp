@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "fusion/eyesight.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/track_book.hpp"
 #include "fusion/trust.hpp"
@@ -22,12 +23,18 @@ struct Claim {
 inline constexpr std::size_t kMaxClaims = 48;
 using ClaimList = InlineList<Claim, kMaxClaims>;
 
+/// What the eyes of several robots are like, beside one that is judged.
+using Eyes = InlineList<Eyesight, kMaxRobotId>;
+
 /// One frame's sightings, in F as its robot says.
 struct Testimony {
   RobotId robot{kNobody};
   Eigen::Vector2d observer_F{Eigen::Vector2d::Zero()};
   const CandidateList& balls;
   const CandidateList& obstacles;
+  /// Of the other robots: one that stands elsewhere than it says seems to see nothing, and must not
+  /// be excused by that.
+  const Eyes& eyes;
 };
 
 using EvidenceList = InlineList<PairEvidence, kMaxRobotId>;

@@ -96,6 +96,11 @@ bool is_placed(const Eigen::Matrix2d& cov, double sigma) {
   return axes.eigenvalues().maxCoeff() <= sigma * sigma;
 }
 
+/// That a place known so well is no further away than this (m); of the round one as wide.
+double probability_within(double distance, const Eigen::Matrix2d& cov) {
+  return -std::expm1(-distance * distance / cov.trace());
+}
+
 bool is_listed(const TrackBook& book, HostTime now, const TrackParameters& parameters) {
   return book.is_confirmed && now - book.last_hit <= parameters.death_age &&
          log_odds_of(book) >
@@ -153,8 +158,9 @@ WorldModel world_of(const State& state, HostTime now, const Parameters& paramete
   for (const Track& track : state.obstacles) {
     if (!is_listed(track.book, now, parameters.obstacle)) continue;
     const WorldObstacle obstacle = world_obstacle(track, now, parameters);
-    if (is_placed(obstacle.cov_p, parameters.obstacle.max_sigma_published))
-      world.obstacles.push_back(obstacle);
+    const double is_there =
+        obstacle.existence * probability_within(parameters.obstacle_reach, obstacle.cov_p);
+    if (is_there >= parameters.obstacle.least_existence) world.obstacles.push_back(obstacle);
   }
   for (const Teammate& teammate : state.teammates) {
     if (now - teammate.seen <= parameters.teammate.forget_age) {

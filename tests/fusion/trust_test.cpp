@@ -131,5 +131,41 @@ TEST(Trust, NamesTheOneWhosePostureTheOthersSeeAside) {
   EXPECT_EQ(book.verdict(1, at_second(3.8), kParameters), Quarantine::kNone);
 }
 
+/// A ball that robots 1 and 2 have seen, each ten times in `until` seconds.
+TrackBook seen_by_two(double until, const TrackParameters& parameters) {
+  TrackBook book = first_page(7, {1, at_second(0.0), 0.9}, parameters);
+  for (int i = 0; i < 10; ++i) {
+    for (const RobotId robot : {RobotId{1}, RobotId{2}}) {
+      write_hit(book, {robot, at_second(0.1 * until * (i + 1)), 0.9}, 1.0, parameters);
+    }
+  }
+  return book;
+}
+
+TEST(TakeBack, LeavesWhatTheOthersSawAtTheSameTime) {
+  const TrackParameters parameters = default_ball_parameters();
+  TrackBook book = seen_by_two(1.0, parameters);
+
+  take_back(book, 2, parameters);
+
+  EXPECT_NEAR(log_odds_of(book), parameters.most_vote, 1e-9);
+}
+
+TEST(TakeBack, LeavesNothingOfATrackThatTheRobotLedAwayFromWhatTheOthersSaw) {
+  const TrackParameters parameters = default_ball_parameters();
+  TrackBook book = seen_by_two(1.0, parameters);
+  for (int i = 1; i <= 10; ++i) {
+    write_hit(book, {2, at_second(1.0 + 0.04 * i), 0.9}, 1.0, parameters);
+  }
+
+  take_back(book, 2, parameters);
+  const double once = log_odds_of(book);
+  take_back(book, 2, parameters);
+
+  EXPECT_LE(once, 0.0);
+  EXPECT_EQ(book.proven, 0.0);
+  EXPECT_EQ(log_odds_of(book), once);
+}
+
 }  // namespace
 }  // namespace teamsight::fusion

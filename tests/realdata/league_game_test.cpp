@@ -47,6 +47,7 @@ TEST(RealGame, IsReadInTheRightFrameAndFusedBetterThanByOtherTeamsRules) {
   EXPECT_NEAR(raw.quantile(0.5), 0.20, 0.01);
   EXPECT_NEAR(raw.share_within(0.5), 0.82, 0.02);
   for (const char* rule : {"information-filter", "two-witnesses"}) {
+    expect_better(by_tech, "teamsight", rule);
     expect_better(by_tech, "teamsight-silence-says-nothing", rule);
     expect_better(by_water, "teamsight", rule);
   }
