@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kFewestPixels = 6;
 constexpr std::size_t kMostPixels = 40000;
 constexpr double kPixelSigma = 0.6;  // px, of a blob's middle
+constexpr double kSizeSigma = 0.2;   // of a ball's size: shade, struts, blur and the mirror's table
 constexpr std::size_t kMostBlobs = 128;
 constexpr std::size_t kFewestInPart = 4;  // pixels
 constexpr std::size_t kBehind = 30;       // samples behind the carpet's hull
@@ -154,11 +155,10 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
   const auto count = static_cast<double>(blob.pixels);
   ray.ray_R.origin = Point3<Robot>::from(blob.sum_origin / blob.solid_angle);
   ray.ray_R.direction = blob.sum_direction.normalized();
-  ray.angular_radius =
-      std::acos(std::max(-1.0, 1.0 - blob.solid_angle / (2.0 * std::numbers::pi)));  // of a cone
+  ray.angular_radius = angular_extent_of(blob);
   const double pixel_angle = std::sqrt(blob.solid_angle / count);
   // The outline of n pixels is wrong by about a pixel of blur, and the middle by less.
-  ray.sigma_angular_radius = std::max(0.1 * ray.angular_radius, 0.7 * pixel_angle);
+  ray.sigma_angular_radius = std::max(kSizeSigma * ray.angular_radius, 0.7 * pixel_angle);
   const double sigma = kPixelSigma * pixel_angle + 0.03 * ray.angular_radius;
   const double level = ray.ray_R.direction.head<2>().norm();
   const double sigma_azimuth = sigma / std::max(level, 0.05);
