@@ -138,10 +138,11 @@ BallBlob BallDetector::grow_of_class(const FrameTables& frame, std::size_t seed)
 }
 
 BallBlob BallDetector::grow_ball(const FrameTables& frame, std::size_t seed) {
-  const BallBlob blob = grow_of_class(frame, seed);
+  BallBlob blob = grow_of_class(frame, seed);
   if (blob.pixels < kFewestPixels) return blob;
   const std::size_t width = frame.rays.width();
-  const Pixel place{static_cast<double>(seed % width), static_cast<double>(seed / width)};
+  const std::size_t row = seed / width;
+  const Pixel place{static_cast<double>(seed % width), static_cast<double>(row)};
   const double radius = expected_radius(frame.rays, rules_.ball_radius, place);
   const double expected = std::numbers::pi * radius * radius;
   if (expected <= 0.0 || static_cast<double>(blob.pixels) < kTooMany * expected) return blob;
