@@ -1,6 +1,7 @@
 // agent/main.cpp: the program `teamsight-agent`: one robot's camera onto the bus.
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -15,6 +16,7 @@
 
 #include "agent/agent.hpp"
 #include "agent/open_source.hpp"
+#include "agent/shirt_complaint.hpp"
 #include "bus/clock.hpp"
 #include "process/domains.hpp"
 #include "process/identity_guard.hpp"
@@ -108,6 +110,12 @@ Setup load(const Options& options) {
   return setup;
 }
 
+// Nothing else is wrong then, so the robot plays.
+void complain_of_shirts(const Setup& setup) {
+  const std::string words = shirt_complaint(setup.robot.team.shirts, setup.camera.colours);
+  if (!words.empty()) std::fprintf(stderr, "teamsight-agent: %s\n", words.c_str());
+}
+
 // Decoders give BGR, whatever the camera on the robot gives.
 vision::CameraParameters camera_for(const Setup& setup) {
   vision::CameraParameters camera = setup.camera;
@@ -170,6 +178,7 @@ int run(const Options& options) {
   const Setup setup = load(options);
   if (!options.prior.empty()) (void)parse_prior(options.prior);  // a mistake shows before all else
   const vision::CameraParameters camera = camera_for(setup);
+  complain_of_shirts(setup);
   const PictureLayout layout{camera.width_px, camera.height_px, camera.format};
   const auto open = [source = setup.source, layout, again = options.loop] {
     return open_source(source, layout, again);

@@ -40,8 +40,16 @@ BlobEllipse ellipse_of(const BallBlob& blob) {
   return ellipse;
 }
 
-double roundness_of(const BallBlob& blob) {
-  if (blob.solid_angle <= 0.0) return 0.0;
+namespace {
+
+/// Variances of a blob's directions along and across its larger axis.
+struct Spread {
+  double larger{0.0};
+  double smaller{0.0};
+};
+
+Spread spread_of(const BallBlob& blob) {
+  if (blob.solid_angle <= 0.0) return {};
   const Eigen::Vector3d mean = blob.sum_direction / blob.solid_angle;
   const Eigen::Matrix3d spread = blob.sum_square / blob.solid_angle - mean * mean.transpose();
   const Eigen::Vector3d a = mean.unitOrthogonal();
@@ -51,7 +59,19 @@ double roundness_of(const BallBlob& blob) {
   const double ab = a.dot(spread * b);
   const double middle = 0.5 * (aa + bb);
   const double reach = std::hypot(0.5 * (aa - bb), ab);
-  return middle + reach > 0.0 ? std::sqrt(std::max(0.0, (middle - reach) / (middle + reach))) : 0.0;
+  return {std::max(0.0, middle + reach), std::max(0.0, middle - reach)};
+}
+
+}  // namespace
+
+double angular_extent_of(const BallBlob& blob) {
+  // A disc's variance along any axis is a quarter of its radius squared.
+  return std::asin(std::min(1.0, 2.0 * std::sqrt(spread_of(blob).larger)));
+}
+
+double roundness_of(const BallBlob& blob) {
+  const Spread spread = spread_of(blob);
+  return spread.larger > 0.0 ? std::sqrt(spread.smaller / spread.larger) : 0.0;
 }
 
 }  // namespace teamsight::vision

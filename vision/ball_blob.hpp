@@ -37,6 +37,10 @@ struct BlobEllipse {
 /// @pre the blob has pixels
 [[nodiscard]] BlobEllipse ellipse_of(const BallBlob& blob);
 
+/// Half the angle that a blob fills along the longer of its axes, as a disc would; rad. What shades
+/// or hides one side of a ball leaves its extent across that whole. 0: a single pixel.
+[[nodiscard]] double angular_extent_of(const BallBlob& blob);
+
 /// 1 for a disc as the eye sees it, towards 0 for a streak: the smaller over the larger spread of
 /// the directions.
 [[nodiscard]] double roundness_of(const BallBlob& blob);

@@ -8,6 +8,7 @@
 
 #include "vision/camera_model.hpp"
 #include "vision/polygon.hpp"
+#include "vision/surface.hpp"
 
 namespace teamsight::vision {
 
@@ -16,7 +17,11 @@ namespace {
 constexpr std::size_t kFewestPixels = 6;
 constexpr std::size_t kMostPixels = 40000;
 constexpr double kPixelSigma = 0.6;  // px, of a blob's middle
+constexpr double kSizeSigma = 0.2;   // of a ball's size: shade, struts, blur and the mirror's table
 constexpr std::size_t kMostBlobs = 128;
+constexpr double kTooMany =
+    2.5;  // of a ball's pixels on the floor: something behind has its colour
+constexpr float kHalfHeight = 0.5F;       // of the strongest colour: there a ball's edge is
 constexpr std::size_t kFewestInPart = 4;  // pixels
 constexpr std::size_t kBehind = 30;       // samples behind the carpet's hull
 constexpr double kPartsApart = 1.7;       // of the expected radius, between the parts' middles
@@ -73,51 +78,87 @@ BallDetector::BallDetector(const RayTable& rays,
   }
 }
 
-BallBlob BallDetector::grow(const FrameTables& frame, std::size_t seed) {
+template <class Belongs>
+BallBlob BallDetector::grow(const FrameTables& frame, std::size_t seed, Belongs belongs) {
   BallBlob blob;
-  const PixelReader& pixels = frame.pixels;
   const std::size_t width = frame.rays.width();
   const auto visit = [&](std::size_t pixel) {
-    if (visited_[pixel] == frame_ || solid_angle_[pixel] <= 0.0F) return;
-    if (open_.size() >= kMostPixels) return;
-    if (frame.colours.chromatic(pixels.luminance(pixel), pixels.chroma(pixel)) !=
-        ColourClass::kBall)
-      return;
-    visited_[pixel] = frame_;
-    open_.push_back(pixel);
+    if (open_.size() < kMostPixels && belongs(pixel)) open_.push_back(pixel);
   };
   open_.clear();
   visit(seed);
   // `open_` is not popped: it is both the queue and, at the end, the blob.
   for (std::size_t next = 0; next < open_.size(); ++next) {
     const std::size_t pixel = open_[next];
-    const PixelRay& ray = frame.rays[pixel];
-    const auto weight = static_cast<double>(solid_angle_[pixel]);
-    const Eigen::Vector3d direction =
-        Eigen::Vector3f(ray.direction_x, ray.direction_y, ray.direction_z).cast<double>();
-    const Chroma chroma = pixels.chroma(pixel);
-    ++blob.pixels;
-    blob.solid_angle += weight;
-    const auto u = static_cast<double>(pixel % width);
-    const std::size_t row = pixel / width;
-    const auto v = static_cast<double>(row);
-    blob.sum_u += u;
-    blob.sum_v += v;
-    blob.sum_uu += u * u;
-    blob.sum_uv += u * v;
-    blob.sum_vv += v * v;
-    blob.sum_u_chroma += chroma.u;
-    blob.sum_v_chroma += chroma.v;
-    blob.sum_direction += weight * direction;
-    blob.sum_square += weight * direction * direction.transpose();
-    blob.sum_origin +=
-        weight * Eigen::Vector3f(ray.origin_x, ray.origin_y, ray.origin_z).cast<double>();
+    add(frame, pixel, blob);
     // solid_angle_ is 0 in the last row and column, and unsigned wrap-around is caught by the size.
     for (const std::size_t neighbour : {pixel - 1, pixel + 1, pixel - width, pixel + width}) {
       if (neighbour < visited_.size()) visit(neighbour);
     }
   }
   return blob;
+}
+
+void BallDetector::add(const FrameTables& frame, std::size_t pixel, BallBlob& blob) const {
+  const std::size_t width = frame.rays.width();
+  const PixelRay& ray = frame.rays[pixel];
+  const auto weight = static_cast<double>(solid_angle_[pixel]);
+  const Eigen::Vector3d direction =
+      Eigen::Vector3f(ray.direction_x, ray.direction_y, ray.direction_z).cast<double>();
+  const Chroma chroma = frame.pixels.chroma(pixel);
+  ++blob.pixels;
+  blob.solid_angle += weight;
+  const auto u = static_cast<double>(pixel % width);
+  const std::size_t row = pixel / width;
+  const auto v = static_cast<double>(row);
+  blob.sum_u += u;
+  blob.sum_v += v;
+  blob.sum_uu += u * u;
+  blob.sum_uv += u * v;
+  blob.sum_vv += v * v;
+  blob.sum_u_chroma += chroma.u;
+  blob.sum_v_chroma += chroma.v;
+  blob.sum_direction += weight * direction;
+  blob.sum_square += weight * direction * direction.transpose();
+  blob.sum_origin +=
+      weight * Eigen::Vector3f(ray.origin_x, ray.origin_y, ray.origin_z).cast<double>();
+}
+
+BallBlob BallDetector::grow_of_class(const FrameTables& frame, std::size_t seed) {
+  return grow(frame, seed, [&](std::size_t pixel) {
+    if (is_taken(pixel) || solid_angle_[pixel] <= 0.0F) return false;
+    const PixelReader& pixels = frame.pixels;
+    if (frame.colours.chromatic(pixels.luminance(pixel), pixels.chroma(pixel)) !=
+        ColourClass::kBall) {
+      return false;
+    }
+    visited_[pixel] = frame_;
+    return true;
+  });
+}
+
+BallBlob BallDetector::grow_ball(const FrameTables& frame, std::size_t seed) {
+  BallBlob blob = grow_of_class(frame, seed);
+  if (blob.pixels < kFewestPixels) return blob;
+  const std::size_t width = frame.rays.width();
+  const std::size_t row = seed / width;
+  const Pixel place{static_cast<double>(seed % width), static_cast<double>(row)};
+  const double radius = expected_radius(frame.rays, rules_.ball_radius, place);
+  const double expected = std::numbers::pi * radius * radius;
+  if (expected <= 0.0 || static_cast<double>(blob.pixels) < kTooMany * expected) return blob;
+  // The blob lies in the order of its distance from the seed: first what may be the ball.
+  const auto near = static_cast<std::ptrdiff_t>(std::ceil(expected));
+  const auto strength = [&](std::size_t pixel) {
+    return distance_from_grey(frame.pixels.chroma(pixel));
+  };
+  const std::size_t core =
+      *std::ranges::max_element(open_.begin(), open_.begin() + near, {}, strength);
+  const float least = kHalfHeight * strength(core);
+  return grow(frame, core, [&](std::size_t pixel) {
+    if (visited_[pixel] != frame_ || strength(pixel) < least) return false;
+    visited_[pixel] = frame_ + 1;
+    return true;
+  });
 }
 
 bool BallDetector::are_parts(const RayTable& rays, const BallBlob& a, const BallBlob& b) const {
@@ -154,11 +195,10 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
   const auto count = static_cast<double>(blob.pixels);
   ray.ray_R.origin = Point3<Robot>::from(blob.sum_origin / blob.solid_angle);
   ray.ray_R.direction = blob.sum_direction.normalized();
-  ray.angular_radius =
-      std::acos(std::max(-1.0, 1.0 - blob.solid_angle / (2.0 * std::numbers::pi)));  // of a cone
+  ray.angular_radius = angular_extent_of(blob);
   const double pixel_angle = std::sqrt(blob.solid_angle / count);
   // The outline of n pixels is wrong by about a pixel of blur, and the middle by less.
-  ray.sigma_angular_radius = std::max(0.1 * ray.angular_radius, 0.7 * pixel_angle);
+  ray.sigma_angular_radius = std::max(kSizeSigma * ray.angular_radius, 0.7 * pixel_angle);
   const double sigma = kPixelSigma * pixel_angle + 0.03 * ray.angular_radius;
   const double level = ray.ray_R.direction.head<2>().norm();
   const double sigma_azimuth = sigma / std::max(level, 0.05);
@@ -181,14 +221,14 @@ void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) 
     // Two in a row: single pixels of noise are not worth a search.
     if (classes[i + 1] != ColourClass::kBall) continue;
     const std::size_t pixel = places[i];
-    if (visited_[pixel] == frame_ || blobs_.size() == kMostBlobs) continue;
-    const BallBlob blob = grow(frame, pixel);
+    if (is_taken(pixel) || blobs_.size() == kMostBlobs) continue;
+    const BallBlob blob = grow_ball(frame, pixel);
     if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);
   }
 }
 
 std::span<const BallCandidate> BallDetector::find(const FrameTables& frame) {
-  ++frame_;
+  frame_ += 2;
   found_.clear();
   blobs_.clear();
   for (std::size_t i = 0; i < frame.lines.radial().size(); ++i) seed_from(frame, i);

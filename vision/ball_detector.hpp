@@ -51,7 +51,20 @@ class BallDetector {
 
  private:
   void seed_from(const FrameTables& frame, std::size_t radial_line);
-  [[nodiscard]] BallBlob grow(const FrameTables& frame, std::size_t seed);
+  /// All that hangs together with the seed; `belongs` is asked once or more of each pixel, and
+  /// marks those that it takes.
+  template <class Belongs>
+  [[nodiscard]] BallBlob grow(const FrameTables& frame, std::size_t seed, Belongs belongs);
+  void add(const FrameTables& frame, std::size_t pixel, BallBlob& blob) const;
+  [[nodiscard]] BallBlob grow_of_class(const FrameTables& frame, std::size_t seed);
+  /// Of a blob that is larger than a ball can be there, what has at least half of the colour that
+  /// its part nearest to the seed, and so to the robot, has: what is behind a ball is paler.
+  [[nodiscard]] BallBlob grow_ball(const FrameTables& frame, std::size_t seed);
+
+  [[nodiscard]] bool is_taken(std::size_t pixel) const {
+    return visited_[pixel] == frame_ || visited_[pixel] == frame_ + 1;
+  }
+
   /// Of one ball, on both sides of a strut, a hand or the mirror's seam.
   [[nodiscard]] bool are_parts(const RayTable& rays, const BallBlob& a, const BallBlob& b) const;
   void join_parts(const RayTable& rays);
@@ -61,8 +74,9 @@ class BallDetector {
   BallRules rules_;
   double near_px_{0.0};  // from the image centre, to where a ball may touch the own body
   std::uint32_t frame_{0};
-  std::vector<float> solid_angle_;      // of each pixel; 0 where the mask or the mirror ends
-  std::vector<std::uint32_t> visited_;  // the frame in which a pixel was last taken
+  std::vector<float> solid_angle_;  // of each pixel; 0 where the mask or the mirror ends
+  /// The frame in which a pixel was last taken for a blob; one more: for what was left of it.
+  std::vector<std::uint32_t> visited_;
   std::vector<std::size_t> open_;
   std::vector<BallBlob> blobs_;
   std::vector<BallCandidate> found_;

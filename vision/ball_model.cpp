@@ -6,14 +6,14 @@ namespace teamsight::vision {
 BallModel trained_ball_model() {
   BallModel model;
   model.weights = {
-      -1.400,  // too_small
-      -2.072,  // too_large
-      7.436,   // roundness
-      5.623,   // ground
-      0.774,   // inside_carpet
-      2.315,   // contrast
+      -1.503,  // too_small
+      -1.777,  // too_large
+      7.599,   // roundness
+      5.653,   // ground
+      0.780,   // inside_carpet
+      2.445,   // contrast
   };
-  model.bias = -17.364;
+  model.bias = -17.958;
   model.least = 0.4;
   return model;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <tuple>
@@ -21,40 +22,21 @@ float turn(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vect
   return way.x() * next.y() - way.y() * next.x();
 }
 
-// How far a place lies to the left of an edge.
-float left_of(const Eigen::Vector3f& edge, const ScanSample& sample) {
-  return edge.x() * sample.x + edge.y() * sample.y + edge.z();
+// How far a place lies to the left of each edge.
+FourFloats left_of(const FourEdges& edges, const ScanSample& sample) {
+  return edges.x * sample.x + edges.y * sample.y + edges.z;
 }
 
-// The edge through which the straight way from `inside` to `beyond` leaves a convex hull; null if
-// it does not.
-const Eigen::Vector3f* edge_crossed(const std::vector<Eigen::Vector3f>& edges,
-                                    const ScanSample& inside,
-                                    const ScanSample& beyond) {
-  const Eigen::Vector3f* crossed = nullptr;
-  float least = 1.0F;  // share of the way
-  for (const Eigen::Vector3f& edge : edges) {
-    const float last = left_of(edge, beyond);
-    if (last >= 0.0F) continue;
-    const float first = left_of(edge, inside);
-    const float share = first / (first - last);
-    if (crossed != nullptr && share >= least) continue;
-    least = share;
-    crossed = &edge;
-  }
-  return crossed;
+// The same of one of them.
+float left_of(const FourEdges& edges, std::size_t lane, const ScanSample& sample) {
+  return edges.x[lane] * sample.x + edges.y[lane] * sample.y + edges.z[lane];
 }
 
-// How many samples from the start of a line that begins inside the hull are inside. A radial line
-// is straight on the floor as well.
-std::size_t inside_count(const std::vector<Eigen::Vector3f>& edges,
-                         std::span<const ScanSample> line) {
-  const Eigen::Vector3f* edge = edge_crossed(edges, line.front(), line.back());
-  if (edge == nullptr) return line.size();
-  const auto end = std::ranges::partition_point(
-      line, [&](const ScanSample& sample) { return left_of(*edge, sample) >= 0.0F; });
-  return static_cast<std::size_t>(end - line.begin());
-}
+/// One edge.
+struct Edge {
+  const FourEdges* four{nullptr};
+  std::size_t lane{0};
+};
 
 }  // namespace
 
@@ -63,7 +45,7 @@ CarpetHull::CarpetHull(const ScanLines& lines) {
   reach_.reserve(n);
   points_.reserve(n);
   hull_.reserve(2 * n + 2);
-  edges_.reserve(2 * n + 2);
+  edges_.reserve((2 * n + 2) / kLanes + 1);
   ends_.reserve(n);
 }
 
@@ -109,20 +91,43 @@ void CarpetHull::wrap() {
   hull_.pop_back();
 }
 
-// Of the hull's edges: a place is inside if it lies to the left of all.
+// A place is inside if it lies to the left of all.
 void CarpetHull::find_edges() {
   edges_.clear();
   for (std::size_t k = 0; k < hull_.size(); ++k) {
     const Eigen::Vector2f& start = hull_[k];
     const Eigen::Vector2f way = hull_[(k + 1) % hull_.size()] - start;
-    edges_.emplace_back(-way.y(), way.x(), way.y() * start.x() - way.x() * start.y());
+    const std::size_t lane = k % kLanes;
+    // Lanes without an edge have everything to their left.
+    if (lane == 0) edges_.push_back({FourFloats{}, FourFloats{}, FourFloats{} + 1.0F});
+    FourEdges& edges = edges_.back();
+    edges.x[lane] = -way.y();
+    edges.y[lane] = way.x();
+    edges.z[lane] = way.y() * start.x() - way.x() * start.y();
   }
 }
 
-bool CarpetHull::is_inside(const ScanSample& sample) const {
-  return hull_.size() >= kFewestEnds && std::ranges::all_of(edges_, [&](const auto& edge) {
-           return left_of(edge, sample) >= 0.0F;
-         });
+std::size_t CarpetHull::inside_count(std::span<const ScanSample> line) const {
+  if (hull_.size() < kFewestEnds) return 0;
+  Edge crossed;
+  float least = 1.0F;  // share of the way to the line's end
+  for (const FourEdges& edges : edges_) {
+    const FourFloats first = left_of(edges, line.front());
+    if (bits_of(first < 0.0F) != 0) return 0;
+    const FourFloats last = left_of(edges, line.back());
+    for (std::uint32_t bits = bits_of(last < 0.0F); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      const float share = first[lane] / (first[lane] - last[lane]);
+      if (crossed.four != nullptr && share >= least) continue;
+      least = share;
+      crossed = {&edges, lane};
+    }
+  }
+  if (crossed.four == nullptr) return line.size();
+  const auto end = std::ranges::partition_point(line, [&](const ScanSample& sample) {
+    return left_of(*crossed.four, crossed.lane, sample) >= 0.0F;
+  });
+  return static_cast<std::size_t>(end - line.begin());
 }
 
 void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
@@ -133,9 +138,8 @@ void CarpetHull::measure(const RadialScan& scan, const ScanLines& lines) {
   for (std::size_t i = 0; i < lines.radial().size(); ++i) {
     const auto line = lines.samples(lines.radial()[i]);
     const std::size_t carpet_end = scan.carpet_end(i);
-    const bool goes_on = carpet_end < line.size() && is_inside(line[carpet_end]);
-    ends_.push_back(goes_on ? carpet_end + inside_count(edges_, line.subspan(carpet_end))
-                            : carpet_end);
+    const std::size_t more = carpet_end < line.size() ? inside_count(line.subspan(carpet_end)) : 0;
+    ends_.push_back(carpet_end + more);
   }
 }
 

@@ -12,10 +12,9 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kRise = 0.55;        // of the contrast: so much of an edge one sample shows
-constexpr std::size_t kMargin = 8;    // px beside an edge, in which floor and carpet are looked for
-constexpr std::size_t kAcross = 2;    // samples over which an edge is seen
-constexpr double kSubpixels = 256.0;  // of a tap
+constexpr double kRise = 0.55;      // of the contrast: so much of an edge one sample shows
+constexpr std::size_t kMargin = 8;  // px beside an edge, in which floor and carpet are looked for
+constexpr std::size_t kAcross = 2;  // samples over which an edge is seen
 
 using Profile = std::span<const std::uint8_t>;
 
@@ -38,25 +37,12 @@ std::size_t next_rise(Profile y, std::size_t i, std::uint8_t least) {
   return i;
 }
 
-// A place between two samples.
-SampleTap tap_between(const ScanSample& a, const ScanSample& b, float t, std::size_t width) {
-  const float u = a.u + t * (b.u - a.u);
-  const float v = a.v + t * (b.v - a.v);
-  const auto column = static_cast<std::uint32_t>(u);
-  const auto row = static_cast<std::uint32_t>(v);
-  constexpr auto kParts = static_cast<float>(kSubpixels);
-  return {row * static_cast<std::uint32_t>(width) + column,
-          static_cast<std::uint8_t>(kParts * (u - static_cast<float>(column))),
-          static_cast<std::uint8_t>(kParts * (v - static_cast<float>(row)))};
-}
-
 }  // namespace
 
 LineFinder::LineFinder(std::size_t longest, const LineRules& rules)
     : rules_(rules),
       rise_(static_cast<std::uint8_t>(std::ceil(kRise * rules.min_contrast))),
       widest_(static_cast<float>(kWidestCrossing * rules.line_width)) {
-  taps_.reserve(longest);
   luminance_.reserve(longest);
 }
 
@@ -82,19 +68,12 @@ void LineFinder::look_closely(const ColouredFrame& frame,
                               std::vector<LinePoint>& points) {
   if (stretch.end < stretch.first + 2) return;
   const auto samples = line.samples.subspan(stretch.first, stretch.end - stretch.first);
-  const std::size_t width = frame.pixels.width();
-  taps_.clear();
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    taps_.push_back(line.taps[stretch.first + i]);
-    for (std::size_t k = 1; k < line.pitch; ++k) {
-      const float t = static_cast<float>(k) / static_cast<float>(line.pitch);
-      taps_.push_back(tap_between(samples[i], samples[i + 1], t, width));
-    }
-  }
-  luminance_.resize(taps_.size());
-  read_luminance(frame.pixels, taps_, luminance_);
+  const auto taps =
+      line.taps.subspan(stretch.first * line.pitch, (samples.size() - 1) * line.pitch);
+  luminance_.resize(taps.size());
+  read_luminance(frame.pixels, taps, luminance_);
   find_line_points(
-      frame.pixels, frame.colours, {samples, taps_, luminance_, line.pitch}, rules_, points);
+      frame.pixels, frame.colours, {samples, taps, luminance_, line.pitch}, rules_, points);
 }
 
 void LineFinder::find(const ColouredFrame& frame,

@@ -18,7 +18,7 @@ struct ColouredFrame {
 /// A whole scan line as it was looked at.
 struct SampledLine {
   std::span<const ScanSample> samples;
-  std::span<const SampleTap> taps;          ///< of each sample
+  std::span<const SampleTap> taps;          ///< about a pixel apart, `pitch` for each sample
   std::span<const std::uint8_t> luminance;  ///< of each sample, grey levels
   std::size_t pitch{1};                     ///< px from one sample to the next
 };
@@ -54,8 +54,7 @@ class LineFinder {
   LineRules rules_;
   std::uint8_t rise_;                    // grey levels
   float widest_;                         // m of floor, of paint
-  std::vector<SampleTap> taps_;          // of a stretch, a pixel apart
-  std::vector<std::uint8_t> luminance_;  // at each of them
+  std::vector<std::uint8_t> luminance_;  // at each tap of a stretch
 };
 
 }  // namespace teamsight::vision

@@ -83,10 +83,10 @@ struct Bump {
   std::size_t end{0};  // first sample after the falling edge
 };
 
-float lowest(Profile profile, std::size_t first, std::size_t last) {
+int lowest(Profile profile, std::size_t first, std::size_t last) {
   std::uint8_t least = profile[first];
   for (std::size_t i = first + 1; i <= last; ++i) least = std::min(least, profile[i]);
-  return static_cast<float>(least);
+  return least;
 }
 
 // Where the profile crosses `level` between sample i and i + 1.
@@ -101,6 +101,7 @@ float crossing(Profile profile, std::size_t i, float level) {
 struct BumpRules {
   float widest{0.0F};    // m of floor
   float contrast{0.0F};  // grey levels
+  int rise{0};           // the least whole number of them
 };
 
 float grey(Profile profile, std::size_t i) {
@@ -109,7 +110,7 @@ float grey(Profile profile, std::size_t i) {
 
 /// The summit behind a rising edge.
 struct Summit {
-  float base{0.0F};  // of the floor before the edge, grey levels
+  int base{0};  // of the floor before the edge, grey levels
   std::size_t top{0};
   std::size_t foot{0};  // first sample that is down again
 };
@@ -122,22 +123,22 @@ std::optional<Summit> summit_behind(const Line& line,
                                     const BumpRules& rules) {
   Summit summit{lowest(profile, i > kBase ? i - kBase : 0, i), i, i + 1};
   const std::size_t n = profile.size();
-  float peak = profile[i];
-  float half = 0.5F * (summit.base + peak);
+  int peak = profile[i];
+  int twice_half = summit.base + peak;
   std::size_t& j = summit.foot;
-  while (j < n && grey(profile, j) > half) {
+  while (j < n && 2 * profile[j] > twice_half) {
     const std::size_t asked = std::min(j + kAsk, n);
-    for (; j < asked && grey(profile, j) > half; ++j) {
-      if (grey(profile, j) <= peak) continue;
-      peak = grey(profile, j);
+    for (; j < asked && 2 * profile[j] > twice_half; ++j) {
+      if (profile[j] <= peak) continue;
+      peak = profile[j];
       summit.top = j;
-      half = 0.5F * (summit.base + peak);
+      twice_half = summit.base + peak;
     }
     // A line leads away from where it was: asked now and then, and at the end.
     const std::size_t last = j - 1;
     if (last > i + kNarrow && line.are_apart(i, last, rules.widest)) return std::nullopt;
   }
-  const bool is_whole = j < n && summit.top != i && peak - summit.base >= rules.contrast;
+  const bool is_whole = j < n && summit.top != i && peak - summit.base >= rules.rise;
   return is_whole ? std::optional(summit) : std::nullopt;
 }
 
@@ -150,8 +151,9 @@ std::optional<Bump> bump_at(const Line& line,
   if (!summit) return std::nullopt;
   const std::size_t n = profile.size();
   const float peak = profile[summit->top];
-  const float left = summit->base;
-  const float right = lowest(profile, summit->foot, std::min(summit->foot + kBase, n - 1));
+  const auto left = static_cast<float>(summit->base);
+  const auto right =
+      static_cast<float>(lowest(profile, summit->foot, std::min(summit->foot + kBase, n - 1)));
   const float level_left = 0.5F * (left + peak);
   const float level_right = 0.5F * (right + peak);
   std::size_t rise = summit->top;
@@ -279,7 +281,8 @@ void find_line_points(const PixelReader& pixels,
                       const LineRules& rules,
                       std::vector<LinePoint>& points) {
   const BumpRules bumps{static_cast<float>(2.0 * kWidestCrossing * rules.line_width),
-                        static_cast<float>(rules.min_contrast)};
+                        static_cast<float>(rules.min_contrast),
+                        static_cast<int>(std::ceil(rules.min_contrast))};
   const Line line(scan);
   const Profile y = scan.luminance;
   const auto steep = static_cast<std::uint8_t>(std::ceil(kSteepness * bumps.contrast));

@@ -119,11 +119,12 @@ FourWords within_of(const SampleTap* taps) {
   return __builtin_shufflevector(first, second, 1, 3, 5, 7);
 }
 
+// Inline, so that what is the same for all fours of a line is made ready once.
 template <class Format>
-void read_four(const Format& format,
-               std::size_t width,
-               const SampleTap* taps,
-               std::uint8_t* luminance) {
+[[gnu::always_inline]] inline void read_four(const Format& format,
+                                             std::size_t width,
+                                             const SampleTap* taps,
+                                             std::uint8_t* luminance) {
   const auto words = [&](std::size_t row) {
     return FourWords{format.word(taps[0].corner + row),
                      format.word(taps[1].corner + row),

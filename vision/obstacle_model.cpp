@@ -6,17 +6,17 @@ namespace teamsight::vision {
 ObstacleModel trained_obstacle_model() {
   ObstacleModel model;
   model.weights = {
-      -3.539,  // odd_width
-      1.388,   // carpet_beside
-      1.713,   // inside_hull
-      11.226,  // shirt_high
-      2.607,   // standing_high
-      4.321,   // floor_high
-      6.019,   // closed
-      2.254,   // carpet_at_flanks
-      -1.834,  // rough_foot
+      -2.663,  // odd_width
+      1.321,   // carpet_beside
+      2.262,   // inside_hull
+      14.642,  // shirt_high
+      0.903,   // standing_high
+      1.513,   // floor_high
+      5.032,   // closed
+      1.814,   // carpet_at_flanks
+      -2.460,  // rough_foot
   };
-  model.bias = -15.074;
+  model.bias = -13.152;
   model.least = 0.4;
   return model;
 }

@@ -118,14 +118,16 @@ void Perception::Tables::find_lines(const PixelReader& pixels) {
     const auto luminance = scan.luminance(range);
     meter.add(luminance);
     finder.find({pixels, colours},
-                {lines.samples(range), lines.taps(range), luminance, range.pitch},
+                {lines.samples(range), lines.close_taps(range), luminance, range.pitch},
                 points);
   }
   for (const ScanRange& range : lines.circular()) {
     const auto taps = lines.taps(range);
     profile.resize(taps.size());
     read_luminance(pixels, taps, profile);
-    finder.find({pixels, colours}, {lines.samples(range), taps, profile, range.pitch}, points);
+    finder.find({pixels, colours},
+                {lines.samples(range), lines.close_taps(range), profile, range.pitch},
+                points);
   }
   observation.light = meter.light();
   // Well lit, but not a field.

@@ -21,6 +21,19 @@ constexpr double kSubpixels = 256.0;         // of a tap
 constexpr float kSmallestFootprint = 1e-4F;  // m; at the rim of the mirror there is no neighbour
 constexpr std::size_t kShortest = 8;         // samples; no line fits into less
 
+SampleTap tap_at(const Pixel& pixel, std::size_t width) {
+  const double column = std::floor(pixel.u);
+  const double row = std::floor(pixel.v);
+  return {static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(width) +
+              static_cast<std::uint32_t>(column),
+          static_cast<std::uint8_t>(kSubpixels * (pixel.u - column)),
+          static_cast<std::uint8_t>(kSubpixels * (pixel.v - row))};
+}
+
+double between(float a, float b, double t) {
+  return static_cast<double>(a) + t * static_cast<double>(b - a);
+}
+
 /// Makes samples of one camera.
 class Sampler {
  public:
@@ -53,13 +66,7 @@ class Sampler {
 
  private:
   [[nodiscard]] ScanStep step_at(const Pixel& pixel, const Point<Robot>& floor) const {
-    const double column = std::floor(pixel.u);
-    const double row = std::floor(pixel.v);
-    SampleTap tap;
-    tap.corner =
-        static_cast<std::uint32_t>(row) * rays_.width() + static_cast<std::uint32_t>(column);
-    tap.right = static_cast<std::uint8_t>(kSubpixels * (pixel.u - column));
-    tap.below = static_cast<std::uint8_t>(kSubpixels * (pixel.v - row));
+    const SampleTap tap = tap_at(pixel, rays_.width());
     ScanSample sample;
     sample.u = static_cast<float>(pixel.u);
     sample.v = static_cast<float>(pixel.v);
@@ -134,6 +141,18 @@ void ScanLines::add_circle(int steps, const std::function<std::optional<ScanStep
   }
 }
 
+void ScanLines::add_close_taps(std::span<const ScanSample> line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const ScanSample& here = line[i];
+    const ScanSample& next = line[std::min(i + 1, line.size() - 1)];
+    for (std::size_t k = 0; k < scale_; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(scale_);
+      close_taps_.push_back(
+          tap_at({between(here.u, next.u, t), between(here.v, next.v, t)}, width_px_));
+    }
+  }
+}
+
 void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
   range.count = samples_.size() - range.first;
   if (range.count < kShortest) {
@@ -142,6 +161,7 @@ void ScanLines::close(std::vector<ScanRange>& ranges, ScanRange range) {
     samples_.resize(range.first);
     return;
   }
+  if (scale_ > 1) add_close_taps(samples(range));
   longest_ = std::max(longest_, range.count);
   ranges.push_back(range);
 }

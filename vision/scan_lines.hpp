@@ -79,6 +79,13 @@ class ScanLines {
     return std::span(taps_).subspan(range.first, range.count);
   }
 
+  /// About a pixel apart along the line, `pitch` of them for each sample from its own on; those of
+  /// the last sample are all its own.
+  [[nodiscard]] std::span<const SampleTap> close_taps(const ScanRange& range) const {
+    const std::vector<SampleTap>& taps = scale_ == 1 ? taps_ : close_taps_;
+    return std::span(taps).subspan(range.first * scale_, range.count * scale_);
+  }
+
   /// Of each of the samples, the index of the nearest pixel.
   [[nodiscard]] std::span<const std::uint32_t> pixels(const ScanRange& range) const {
     return std::span(pixels_).subspan(range.first, range.count);
@@ -94,12 +101,15 @@ class ScanLines {
   /// Appends the arcs of one circle; `step_at` gives nothing where the view is masked.
   void add_circle(int steps, const std::function<std::optional<ScanStep>(int)>& step_at);
   void add(const ScanStep& step);
+  /// Of a line that is complete.
+  void add_close_taps(std::span<const ScanSample> line);
   /// Ends the line that begins at `range.first` with the last sample; forgets it if too short.
   void close(std::vector<ScanRange>& ranges, ScanRange range);
 
   std::size_t scale_;
   std::size_t width_px_;
   std::vector<SampleTap> taps_;
+  std::vector<SampleTap> close_taps_;  // none where samples are a pixel apart
   std::vector<std::uint32_t> pixels_;
   std::vector<ScanSample> samples_;  // of each tap
   std::vector<ScanRange> radial_;

@@ -34,10 +34,12 @@ class Row {
   /// What is found with samples that are `pitch` pixels apart.
   [[nodiscard]] std::vector<LinePoint> points(std::size_t pitch, double sigma = 0.0) {
     draw(sigma);
-    std::vector<SampleTap> taps;
+    std::vector<SampleTap> taps;  // of the samples
+    std::vector<SampleTap> close_taps;
     std::vector<ScanSample> samples;
     for (std::uint32_t u = 0; u + 1 < kWidth; u += static_cast<std::uint32_t>(pitch)) {
       taps.push_back({u, 0, 0});
+      for (std::uint32_t k = 0; k < pitch; ++k) close_taps.push_back({u + k, 0, 0});
       const auto x = static_cast<float>(1.0 + kMetresPerPixel * u);
       samples.push_back({static_cast<float>(u), 0.0F, x, 0.0F, 0.01F, 0.01F});
     }
@@ -50,7 +52,7 @@ class Row {
     const ColourClasses classes(colours);
     LineFinder finder(kWidth, {0.125, 18.0});
     std::vector<LinePoint> found;
-    finder.find({pixels, classes}, {samples, taps, read, pitch}, found);
+    finder.find({pixels, classes}, {samples, close_taps, read, pitch}, found);
     return found;
   }
 

@@ -77,7 +77,7 @@ TEST(Surface, IsTheSameForManySamplesAtOnce) {
   }
 }
 
-// A sample of carpet about as bright as the level pulls it by 12 percent of the way.
+// A sample of carpet about as bright as the level pulls it by 4 percent of the way.
 std::vector<float> levels_of(const Samples& samples, const ScanRange& line, float start) {
   std::vector<float> levels;
   float level = start;
@@ -85,7 +85,7 @@ std::vector<float> levels_of(const Samples& samples, const ScanRange& line, floa
     levels.push_back(level);
     const auto y = static_cast<float>(samples.luminance[i]);
     if (samples.classes[i] != ColourClass::kGreen) continue;
-    if (y > 0.8F * level && y < 1.2F * level) level += 0.12F * (y - level);
+    if (y > 0.8F * level && y < 1.2F * level) level += 0.04F * (y - level);
   }
   return levels;
 }
