@@ -14,12 +14,12 @@ namespace teamsight::score {
 namespace {
 
 const LeagueScore& score_of(const LeagueResult& result, const std::string& estimator) {
-  static const LeagueScore kNone;
+  static const LeagueScore none;
   for (const LeagueScore& score : result.scores) {
     if (score.estimator == estimator) return score;
   }
   ADD_FAILURE() << "no score of " << estimator;
-  return kNone;
+  return none;
 }
 
 void expect_better(const LeagueResult& result, const std::string& ours, const std::string& theirs) {

@@ -72,7 +72,8 @@ class Row {
 };
 
 TEST(LineFinder, FindsPaintWhereverItLiesBetweenTheSamples) {
-  for (double middle = 15.0; middle < 380.0; middle += 2.3) {
+  for (int i = 0; i < 159; ++i) {
+    const double middle = 15.0 + 2.3 * i;
     Row row;
     row.paint(middle, 12.5, 60.0);
 
