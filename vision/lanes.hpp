@@ -1,9 +1,11 @@
-// vision/lanes.hpp: four values at once, as every processor with 16-byte registers computes them.
+// vision/lanes.hpp: several values at once, as every processor with 16-byte registers computes
+// them.
 //
-// The compiler's own vectors: arithmetic, comparisons and conversions of all four lanes; a
+// The compiler's own vectors: arithmetic, comparisons and conversions of all lanes; a
 // comparison gives -1 in the lanes where it holds, else 0.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +26,7 @@ using FourHalves [[gnu::vector_size(8)]] = std::uint16_t;
 using EightHalves [[gnu::vector_size(16)]] = std::uint16_t;
 using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
 using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
+using TwoWholes [[gnu::vector_size(16)]] = std::uint64_t;
 using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 
 inline constexpr std::size_t kLanes = 4;
@@ -41,6 +44,15 @@ template <class Vector, class Value>
 inline void store_lanes(const Vector& vector, Value* to) {
   static_assert(std::is_trivially_copyable_v<Value>);
   std::memcpy(static_cast<void*>(to), &vector, sizeof(vector));
+}
+
+/// Eight bytes, and eight of 0 behind them.
+template <class Byte>
+[[nodiscard]] inline SixteenBytes load_eight(const Byte* from) {
+  static_assert(sizeof(Byte) == 1);
+  std::uint64_t packed = 0;
+  std::memcpy(&packed, from, sizeof(packed));
+  return std::bit_cast<SixteenBytes>(TwoWholes{packed, 0});
 }
 
 /// Four bytes, one in each lane.
@@ -120,6 +132,18 @@ inline void store_bytes(const FourInts& lanes, Byte* to) {
 #endif
 }
 
+/// The same of signed lanes, rounded downwards.
+[[nodiscard]] inline EightShorts high_products(const EightShorts& a, const EightShorts& b) {
+#ifdef __SSE2__
+  return reinterpret_cast<EightShorts>(
+      _mm_mulhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  EightShorts high{};
+  for (std::size_t i = 0; i < 8; ++i) high[i] = static_cast<std::int16_t>(a[i] * b[i] >> 16);
+  return high;
+#endif
+}
+
 /// The lanes of both, each from 0 to 255, as bytes.
 [[nodiscard]] inline SixteenBytes to_bytes(const EightHalves& low, const EightHalves& high) {
 #ifdef __SSE2__
@@ -189,16 +213,63 @@ template <class Vector>
 #endif
 }
 
+/// The lower eights of both, in turns.
+[[nodiscard]] inline SixteenBytes low_in_turns(const SixteenBytes& a, const SixteenBytes& b) {
+  return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+}
+
+/// The upper eights.
+[[nodiscard]] inline SixteenBytes high_in_turns(const SixteenBytes& a, const SixteenBytes& b) {
+  return __builtin_shufflevector(
+      a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+}
+
+/// The lower fours of both, in turns.
+[[nodiscard]] inline EightShorts low_in_turns(const EightShorts& a, const EightShorts& b) {
+  return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+}
+
+/// The upper fours.
+[[nodiscard]] inline EightShorts high_in_turns(const EightShorts& a, const EightShorts& b) {
+  return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+}
+
+/// Eight rows of eight. Written out, not in loops, so that they stay in registers.
+using EightRows = std::array<EightShorts, 8>;
+
+/// A third of the way from rows to columns: of an element's place, three bits for the row and three
+/// for the column, the first becomes the last.
+[[nodiscard]] inline EightRows turned(const EightRows& rows) {
+  return {low_in_turns(rows[0], rows[4]),
+          high_in_turns(rows[0], rows[4]),
+          low_in_turns(rows[1], rows[5]),
+          high_in_turns(rows[1], rows[5]),
+          low_in_turns(rows[2], rows[6]),
+          high_in_turns(rows[2], rows[6]),
+          low_in_turns(rows[3], rows[7]),
+          high_in_turns(rows[3], rows[7])};
+}
+
 /// Rows to columns.
-inline void transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d) {
-  const FourFloats ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-  const FourFloats ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const FourFloats cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-  const FourFloats cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+[[nodiscard]] inline EightRows transposed(const EightRows& rows) {
+  return turned(turned(turned(rows)));
+}
+
+/// Rows of eight bytes to columns, two of them in each.
+[[nodiscard]] inline std::array<SixteenBytes, 4> columns_of(
+    const std::array<SixteenBytes, 8>& rows) {
+  const SixteenBytes a = low_in_turns(rows[0], rows[4]);
+  const SixteenBytes b = low_in_turns(rows[1], rows[5]);
+  const SixteenBytes c = low_in_turns(rows[2], rows[6]);
+  const SixteenBytes d = low_in_turns(rows[3], rows[7]);
+  const SixteenBytes even_low = low_in_turns(a, c);
+  const SixteenBytes even_high = high_in_turns(a, c);
+  const SixteenBytes odd_low = low_in_turns(b, d);
+  const SixteenBytes odd_high = high_in_turns(b, d);
+  return {low_in_turns(even_low, odd_low),
+          high_in_turns(even_low, odd_low),
+          low_in_turns(even_high, odd_high),
+          high_in_turns(even_high, odd_high)};
 }
 
 }  // namespace teamsight::vision
