@@ -23,7 +23,6 @@ constexpr float kStrong = 0.25F;  // chroma over luminance
 constexpr float kBright = 1.12F;
 constexpr float kLeastRise = 6.0F;    // grey levels of paint over carpet
 constexpr float kSaturated = 255.0F;  // grey levels
-constexpr std::uint32_t kAllLanes = (1U << kLanes) - 1;
 constexpr std::uint32_t kAllBytes = 0xFFFF;
 
 constexpr float kGreyOfLevel = 1.0F / kLevelsPerGrey;
@@ -32,7 +31,11 @@ constexpr int kShift = 16;     // of what follows
 constexpr int kNear = 13107;   // 0.2: carpet no farther from the running level counts for it
 constexpr int kForget = 2621;  // 0.04 of it, per sample: slower than a foot is blurred
 constexpr int kRounding = 12;  // half of what moves the level by its smallest part
-constexpr std::uint16_t kDarkPart = 47186;  // kDark, not less
+constexpr std::uint16_t kDarkPart = 47186;   // kDark, not less
+constexpr std::uint16_t kBlackPart = 36700;  // kBlack, not more
+constexpr std::uint16_t kBrightPart = 7864;  // kBright above 1, not more
+constexpr std::int16_t kPaintRise = 768;     // kLeastRise as a level
+constexpr std::int16_t kStrongest = 4;       // 1 over kStrong
 
 constexpr std::size_t kTogether = 8;  // lines; what one waits for, the others fill
 
@@ -165,73 +168,67 @@ bool are_all_carpet(const ReadSamples& samples,
   return bits_of(low & high & is_green) == kAllBytes;
 }
 
-// As surface_of, of four samples.
-FourInts surfaces_of(const FourInts& colours,
-                     const FourFloats& y,
-                     const FourFloats& chroma,
-                     const FourFloats& carpet,
-                     float saturation) {
-  const auto all = [](Surface surface) {
-    const auto value = static_cast<std::int32_t>(surface);
-    return FourInts{value, value, value, value};
-  };
-  const auto is = [&](ColourClass colour) -> FourInts {
-    return colours == static_cast<std::int32_t>(colour);
-  };
-  const FourFloats paint = kBright * carpet + kLeastRise;
-  const FourFloats room = 0.5F * (carpet + kSaturated);
-  const FourInts is_green = is(ColourClass::kGreen);
-  const FourInts is_dark = y < kDark * carpet;
-  const FourInts is_strong = (is(ColourClass::kRed) | is(ColourClass::kBlue) |
-                              is(ColourClass::kMagenta) | is(ColourClass::kCyan)) &
-                             (chroma > kStrong * y) & (y < paint);
-  const FourInts is_veiled = is_green & is_dark & (chroma < kVeiled * saturation * y);
-  FourInts surface =
-      where(y > where(paint < room, paint, room), all(Surface::kPaint), all(Surface::kOther));
-  surface = where(is_dark, all(Surface::kDark), surface);
-  surface = where(is_strong, all(Surface::kShirt), surface);
-  surface = where(is(ColourClass::kBall), all(Surface::kBall), surface);
-  surface = where(is_green, all(Surface::kCarpet), surface);
-  return where((y < kBlack * carpet) | is_veiled, all(Surface::kDark), surface);
-}
-
-FourInts absolute(const FourInts& lanes) {
-  const FourInts sign = lanes < 0;
+EightShorts absolute(const EightShorts& lanes) {
+  const EightShorts sign = lanes < 0;
   return (lanes ^ sign) - sign;
 }
 
-// As distance_from_grey, of four samples.
-FourFloats distances_from_grey(const Chroma* chroma) {
+// As distance_from_grey, of eight samples.
+EightShorts distances_from_grey(const Chroma* chroma) {
   static_assert(sizeof(Chroma) == 2);
-  const auto pairs =
-      std::bit_cast<FourInts>(__builtin_convertvector(load_lanes<FourHalves>(chroma), FourWords));
-  const FourInts du = absolute((pairs & 0xFF) - 128);
-  const FourInts dv = absolute((pairs >> 8) - 128);
-  const FourInts larger = where(du > dv, du, dv);
-  return to_floats(larger + ((du + dv - larger) * 3 >> 3));
+  const auto pairs = load_lanes<EightHalves>(chroma);
+  const EightShorts du = absolute(std::bit_cast<EightShorts>(pairs & 0xFF) - 128);
+  const EightShorts dv = absolute(std::bit_cast<EightShorts>(pairs >> 8) - 128);
+  const EightShorts is_larger = du > dv;
+  const EightShorts larger = (is_larger & du) | (~is_larger & dv);
+  return larger + ((du + dv - larger) * 3 >> 3);
 }
 
-FourFloats load_levels(const CarpetLevel* levels) {
-  return to_floats(std::bit_cast<FourInts>(
-             __builtin_convertvector(load_lanes<FourHalves>(levels), FourWords))) *
-         kGreyOfLevel;
+EightShorts part_of(const EightShorts& levels, std::uint16_t part) {
+  return std::bit_cast<EightShorts>(
+      high_products(std::bit_cast<EightHalves>(levels), EightHalves{} + part));
 }
 
-void judge_four(const ReadSamples& samples,
-                std::size_t first,
-                const FourFloats& carpet,
-                float saturation,
-                Surface* surfaces) {
-  const FourInts colours = load_bytes(&samples.classes[first]);
-  const FourFloats y = to_floats(load_bytes(&samples.luminance[first]));
-  const FourInts is_lit = y >= kDark * carpet;
-  const FourInts is_green = colours == static_cast<std::int32_t>(ColourClass::kGreen);
-  if (bits_of(is_lit & is_green) == kAllLanes) {
-    store_bytes(FourInts{} + static_cast<std::int32_t>(Surface::kCarpet), surfaces);
-    return;
-  }
-  const FourFloats chroma = distances_from_grey(&samples.chroma[first]);
-  store_bytes(surfaces_of(colours, y, chroma, carpet, saturation), surfaces);
+// The surface where the claim holds, else what was thought before.
+EightShorts either(const EightShorts& claim, Surface surface, const EightShorts& before) {
+  return (claim & all_eight(static_cast<int>(surface))) | (~claim & before);
+}
+
+// As surface_of, of eight samples; levels and parts are whole numbers, so claims are made such that
+// rounding does not change them.
+EightHalves surfaces_of(const ReadSamples& samples,
+                        std::size_t first,
+                        const CarpetLevel* levels,
+                        std::uint16_t veiled) {
+  const auto colours =
+      std::bit_cast<EightShorts>(low_in_turns(load_eight(&samples.classes[first]), SixteenBytes{}));
+  const auto is = [&](ColourClass colour) -> EightShorts {
+    return colours == static_cast<std::int16_t>(colour);
+  };
+  const auto grey = std::bit_cast<EightShorts>(
+      low_in_turns(load_eight(&samples.luminance[first]), SixteenBytes{}));
+  const EightShorts y = grey << 7;
+  const auto carpet = load_lanes<EightShorts>(levels);
+  const EightShorts chroma = distances_from_grey(&samples.chroma[first]);
+  const EightShorts rise = y - carpet;
+  const EightHalves both = std::bit_cast<EightHalves>(carpet) + kLevelsPerGrey * 255;
+  const EightShorts is_dark = ~(y > part_of(carpet, kDarkPart - 1));
+  const EightShorts is_black = ~(y > part_of(carpet, kBlackPart));
+  const EightShorts is_paint = (rise > part_of(carpet, kBrightPart + 1) + kPaintRise) |
+                               (y > std::bit_cast<EightShorts>(both >> 1));
+  const EightShorts is_strong = (is(ColourClass::kRed) | is(ColourClass::kBlue) |
+                                 is(ColourClass::kMagenta) | is(ColourClass::kCyan)) &
+                                (chroma * kStrongest > grey) &
+                                ~(rise > part_of(carpet, kBrightPart) + kPaintRise);
+  const EightShorts is_green = is(ColourClass::kGreen);
+  const EightShorts is_veiled = is_green & is_dark & ((chroma << 6) < part_of(y, veiled));
+  EightShorts surface =
+      either(is_paint, Surface::kPaint, all_eight(static_cast<int>(Surface::kOther)));
+  surface = either(is_dark, Surface::kDark, surface);
+  surface = either(is_strong, Surface::kShirt, surface);
+  surface = either(is(ColourClass::kBall), Surface::kBall, surface);
+  surface = either(is_green, Surface::kCarpet, surface);
+  return std::bit_cast<EightHalves>(either(is_black | is_veiled, Surface::kDark, surface));
 }
 
 }  // namespace
@@ -277,15 +274,18 @@ void judge_surfaces(const ReadSamples& samples,
   const std::size_t n = surfaces.size();
   TEAMSIGHT_EXPECT(samples.classes.size() == n && samples.luminance.size() == n &&
                    samples.chroma.size() == n && levels.size() == n);
+  // Half of the share of sixteen bits, for such as are more than all.
+  const auto veiled = static_cast<std::uint16_t>(
+      std::min(kVeiled * saturation * static_cast<float>(1 << (kShift - 1)), 65535.0F));
   std::size_t i = 0;
   for (; i + sizeof(SixteenBytes) <= n; i += sizeof(SixteenBytes)) {
     if (are_all_carpet(samples, levels, i)) {
       store_lanes(SixteenBytes{} + static_cast<std::uint8_t>(Surface::kCarpet), &surfaces[i]);
       continue;
     }
-    for (std::size_t k = i; k < i + sizeof(SixteenBytes); k += kLanes) {
-      judge_four(samples, k, load_levels(&levels[k]), saturation, &surfaces[k]);
-    }
+    store_lanes(to_bytes(surfaces_of(samples, i, &levels[i], veiled),
+                         surfaces_of(samples, i + kTogether, &levels[i + kTogether], veiled)),
+                &surfaces[i]);
   }
   for (; i < n; ++i) {
     surfaces[i] = surface_of({samples.classes[i],
