@@ -22,7 +22,6 @@ namespace teamsight::vision {
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 using FourWords [[gnu::vector_size(16)]] = std::uint32_t;
-using FourHalves [[gnu::vector_size(8)]] = std::uint16_t;
 using EightHalves [[gnu::vector_size(16)]] = std::uint16_t;
 using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
 using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
@@ -53,22 +52,6 @@ template <class Byte>
   std::uint64_t packed = 0;
   std::memcpy(&packed, from, sizeof(packed));
   return std::bit_cast<SixteenBytes>(TwoWholes{packed, 0});
-}
-
-/// Four bytes, one in each lane.
-template <class Byte>
-[[nodiscard]] inline FourInts load_bytes(const Byte* from) {
-  static_assert(sizeof(Byte) == 1);
-  std::uint32_t packed = 0;
-  std::memcpy(&packed, from, sizeof(packed));
-#ifdef __SSE2__
-  const __m128i zero = _mm_setzero_si128();
-  const __m128i bytes = _mm_cvtsi32_si128(static_cast<std::int32_t>(packed));
-  return reinterpret_cast<FourInts>(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
-#else
-  const FourWords shifted = FourWords{packed, packed >> 8U, packed >> 16U, packed >> 24U};
-  return std::bit_cast<FourInts>(shifted & 0xFFU);
-#endif
 }
 
 /// The lanes, each from 0 to 255, as bytes.
@@ -184,22 +167,6 @@ template <class Byte>
     if (eight != all) break;
   }
   return count;
-}
-
-[[nodiscard]] inline FourFloats to_floats(const FourInts& lanes) {
-  return __builtin_convertvector(lanes, FourFloats);
-}
-
-/// Rounded towards 0.
-[[nodiscard]] inline FourInts to_ints(const FourFloats& lanes) {
-  return __builtin_convertvector(lanes, FourInts);
-}
-
-/// Lanes of `yes` where the claim holds (-1), else of `no`.
-template <class Vector>
-[[nodiscard]] inline Vector where(const FourInts& claim, const Vector& yes, const Vector& no) {
-  return std::bit_cast<Vector>((claim & std::bit_cast<FourInts>(yes)) |
-                               (~claim & std::bit_cast<FourInts>(no)));
 }
 
 /// One bit for each lane of a claim, the first lane's the lowest.
