@@ -278,17 +278,20 @@ int run(int argc, const char* const* argv) {
   std::string match;
   int frames = 10;
   int repeats = 30;
+  std::uint32_t width_px = 0;
   CLI::App app("Measures how long a frame is looked at.");
   app.add_option("--match", match, "match file (config/matches)")->required();
   app.add_option("--frames", frames)->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--repeats", repeats, "looks at each")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--width", width_px, "only of pictures this wide, px");
   if (const std::optional<int> done = process::parse_command_line(app, argc, argv)) {
     return *done;
   }
   const sim::Setup setup = sim::load_setup(match, {}, {});
   for (const auto& camera : {setup.camera, enlarged(setup.camera)}) {
+    if (width_px != 0 && width_px != camera.width_px) continue;
     report(camera, measure(setup, camera, frames, repeats));
   }
   return process::kDone;

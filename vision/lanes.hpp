@@ -1,9 +1,11 @@
-// vision/lanes.hpp: four values at once, as every processor with 16-byte registers computes them.
+// vision/lanes.hpp: several values at once, as every processor with 16-byte registers computes
+// them.
 //
-// The compiler's own vectors: arithmetic, comparisons and conversions of all four lanes; a
+// The compiler's own vectors: arithmetic, comparisons and conversions of all lanes; a
 // comparison gives -1 in the lanes where it holds, else 0.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +22,10 @@ namespace teamsight::vision {
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 using FourWords [[gnu::vector_size(16)]] = std::uint32_t;
-using FourHalves [[gnu::vector_size(8)]] = std::uint16_t;
 using EightHalves [[gnu::vector_size(16)]] = std::uint16_t;
 using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
 using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
+using TwoWholes [[gnu::vector_size(16)]] = std::uint64_t;
 using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 
 inline constexpr std::size_t kLanes = 4;
@@ -43,20 +45,13 @@ inline void store_lanes(const Vector& vector, Value* to) {
   std::memcpy(static_cast<void*>(to), &vector, sizeof(vector));
 }
 
-/// Four bytes, one in each lane.
+/// Eight bytes, and eight of 0 behind them.
 template <class Byte>
-[[nodiscard]] inline FourInts load_bytes(const Byte* from) {
+[[nodiscard]] inline SixteenBytes load_eight(const Byte* from) {
   static_assert(sizeof(Byte) == 1);
-  std::uint32_t packed = 0;
+  std::uint64_t packed = 0;
   std::memcpy(&packed, from, sizeof(packed));
-#ifdef __SSE2__
-  const __m128i zero = _mm_setzero_si128();
-  const __m128i bytes = _mm_cvtsi32_si128(static_cast<std::int32_t>(packed));
-  return reinterpret_cast<FourInts>(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
-#else
-  const FourWords shifted = FourWords{packed, packed >> 8U, packed >> 16U, packed >> 24U};
-  return std::bit_cast<FourInts>(shifted & 0xFFU);
-#endif
+  return std::bit_cast<SixteenBytes>(TwoWholes{packed, 0});
 }
 
 /// The lanes, each from 0 to 255, as bytes.
@@ -120,6 +115,18 @@ inline void store_bytes(const FourInts& lanes, Byte* to) {
 #endif
 }
 
+/// The same of signed lanes, rounded downwards.
+[[nodiscard]] inline EightShorts high_products(const EightShorts& a, const EightShorts& b) {
+#ifdef __SSE2__
+  return reinterpret_cast<EightShorts>(
+      _mm_mulhi_epi16(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+#else
+  EightShorts high{};
+  for (std::size_t i = 0; i < 8; ++i) high[i] = static_cast<std::int16_t>(a[i] * b[i] >> 16);
+  return high;
+#endif
+}
+
 /// The lanes of both, each from 0 to 255, as bytes.
 [[nodiscard]] inline SixteenBytes to_bytes(const EightHalves& low, const EightHalves& high) {
 #ifdef __SSE2__
@@ -162,22 +169,6 @@ template <class Byte>
   return count;
 }
 
-[[nodiscard]] inline FourFloats to_floats(const FourInts& lanes) {
-  return __builtin_convertvector(lanes, FourFloats);
-}
-
-/// Rounded towards 0.
-[[nodiscard]] inline FourInts to_ints(const FourFloats& lanes) {
-  return __builtin_convertvector(lanes, FourInts);
-}
-
-/// Lanes of `yes` where the claim holds (-1), else of `no`.
-template <class Vector>
-[[nodiscard]] inline Vector where(const FourInts& claim, const Vector& yes, const Vector& no) {
-  return std::bit_cast<Vector>((claim & std::bit_cast<FourInts>(yes)) |
-                               (~claim & std::bit_cast<FourInts>(no)));
-}
-
 /// One bit for each lane of a claim, the first lane's the lowest.
 [[nodiscard]] inline std::uint32_t bits_of(const FourInts& claim) {
 #ifdef __SSE2__
@@ -189,16 +180,63 @@ template <class Vector>
 #endif
 }
 
+/// The lower eights of both, in turns.
+[[nodiscard]] inline SixteenBytes low_in_turns(const SixteenBytes& a, const SixteenBytes& b) {
+  return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+}
+
+/// The upper eights.
+[[nodiscard]] inline SixteenBytes high_in_turns(const SixteenBytes& a, const SixteenBytes& b) {
+  return __builtin_shufflevector(
+      a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+}
+
+/// The lower fours of both, in turns.
+[[nodiscard]] inline EightShorts low_in_turns(const EightShorts& a, const EightShorts& b) {
+  return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+}
+
+/// The upper fours.
+[[nodiscard]] inline EightShorts high_in_turns(const EightShorts& a, const EightShorts& b) {
+  return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+}
+
+/// Eight rows of eight. Written out, not in loops, so that they stay in registers.
+using EightRows = std::array<EightShorts, 8>;
+
+/// A third of the way from rows to columns: of an element's place, three bits for the row and three
+/// for the column, the first becomes the last.
+[[nodiscard]] inline EightRows turned(const EightRows& rows) {
+  return {low_in_turns(rows[0], rows[4]),
+          high_in_turns(rows[0], rows[4]),
+          low_in_turns(rows[1], rows[5]),
+          high_in_turns(rows[1], rows[5]),
+          low_in_turns(rows[2], rows[6]),
+          high_in_turns(rows[2], rows[6]),
+          low_in_turns(rows[3], rows[7]),
+          high_in_turns(rows[3], rows[7])};
+}
+
 /// Rows to columns.
-inline void transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFloats& d) {
-  const FourFloats ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-  const FourFloats ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const FourFloats cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-  const FourFloats cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+[[nodiscard]] inline EightRows transposed(const EightRows& rows) {
+  return turned(turned(turned(rows)));
+}
+
+/// Rows of eight bytes to columns, two of them in each.
+[[nodiscard]] inline std::array<SixteenBytes, 4> columns_of(
+    const std::array<SixteenBytes, 8>& rows) {
+  const SixteenBytes a = low_in_turns(rows[0], rows[4]);
+  const SixteenBytes b = low_in_turns(rows[1], rows[5]);
+  const SixteenBytes c = low_in_turns(rows[2], rows[6]);
+  const SixteenBytes d = low_in_turns(rows[3], rows[7]);
+  const SixteenBytes even_low = low_in_turns(a, c);
+  const SixteenBytes even_high = high_in_turns(a, c);
+  const SixteenBytes odd_low = low_in_turns(b, d);
+  const SixteenBytes odd_high = high_in_turns(b, d);
+  return {low_in_turns(even_low, odd_low),
+          high_in_turns(even_low, odd_low),
+          low_in_turns(even_high, odd_high),
+          high_in_turns(even_high, odd_high)};
 }
 
 }  // namespace teamsight::vision

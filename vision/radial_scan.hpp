@@ -54,8 +54,8 @@ class RadialScan {
   ChromaReader chroma_reader_;
   std::vector<std::uint8_t> luminance_;
   std::vector<ColourClass> classes_;
-  std::vector<Chroma> chroma_;  // without a cast of the light
-  std::vector<float> levels_;   // of the carpet beside
+  std::vector<Chroma> chroma_;       // without a cast of the light
+  std::vector<CarpetLevel> levels_;  // of the carpet beside
   std::vector<Surface> surfaces_;
   std::vector<std::size_t> carpet_ends_;
   CarpetMeter meter_;

@@ -42,25 +42,31 @@ struct ReadSamples {
 /// How far a chroma lies from grey, within 4 % of the Euclidean length.
 [[nodiscard]] float distance_from_grey(Chroma chroma);
 
+/// Of a CarpetLevel to a grey level.
+inline constexpr int kLevelsPerGrey = 128;
+
+/// Luminance of the carpet, up to 255 grey levels, in parts of one.
+using CarpetLevel = std::int16_t;
+
 /// How bright the carpet is beside each sample of each line.
 ///
 /// A running level that begins with the frame's own and follows samples of carpet which are about
 /// as bright as it already is.
 ///
 /// @param lines   parts of the samples
-/// @param start   luminance of the frame's carpet
+/// @param start   luminance of the frame's carpet, grey levels
 /// @param levels  one for each sample; only those of the lines are written
 void follow_carpet(const ReadSamples& samples,
                    std::span<const ScanRange> lines,
                    float start,
-                   std::span<float> levels);
+                   std::span<CarpetLevel> levels);
 
 /// surface_of for each sample.
 ///
 /// @param levels      of the carpet beside each sample
 /// @param saturation  of the frame's carpet
 void judge_surfaces(const ReadSamples& samples,
-                    std::span<const float> levels,
+                    std::span<const CarpetLevel> levels,
                     float saturation,
                     std::span<Surface> surfaces);
 

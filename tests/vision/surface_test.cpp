@@ -1,7 +1,9 @@
 // tests/vision/surface_test.cpp: what samples show, one by one and many at once.
 #include "vision/surface.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
@@ -58,10 +60,17 @@ struct Samples {
 };
 
 TEST(Surface, IsTheSameForManySamplesAtOnce) {
-  const Samples samples(4003);
-  std::vector<float> levels(4003);
+  std::vector<CarpetLevel> levels(4003);
   std::mt19937 random(4);
-  for (float& level : levels) level = static_cast<float>(random() % 256);
+  for (CarpetLevel& level : levels) level = static_cast<CarpetLevel>(random() % 256 * 128);
+  // A stretch of carpet, as most of a picture is, and dark and bright places in it.
+  Samples samples = Samples(4003);
+  for (std::size_t i = 1000; i < 3000; ++i) {
+    if (i % 97 != 0) samples.classes[i] = ColourClass::kGreen;
+    levels[i] = static_cast<CarpetLevel>(90 * 128 + random() % 128);
+    samples.luminance[i] =
+        static_cast<std::uint8_t>(i % 83 == 0 ? 62 + random() % 6 : 80 + random() % 20);
+  }
   std::vector<Surface> surfaces(4003, Surface::kOther);
 
   judge_surfaces(samples.read(), levels, kSaturation, surfaces);
@@ -71,21 +80,24 @@ TEST(Surface, IsTheSameForManySamplesAtOnce) {
               surface_of({samples.classes[i],
                           static_cast<float>(samples.luminance[i]),
                           distance_from_grey(samples.chroma[i]),
-                          levels[i],
+                          static_cast<float>(levels[i]) / 128.0F,
                           kSaturation}))
         << i;
   }
 }
 
-// A sample of carpet about as bright as the level pulls it by 4 percent of the way.
-std::vector<float> levels_of(const Samples& samples, const ScanRange& line, float start) {
-  std::vector<float> levels;
-  float level = start;
+// A sample of carpet about as bright as the level pulls it by 4 percent of the way, rounded to
+// parts of a grey level.
+std::vector<CarpetLevel> levels_of(const Samples& samples, const ScanRange& line, float start) {
+  std::vector<CarpetLevel> levels;
+  auto level = static_cast<int>(128.0F * start);
   for (std::size_t i = line.first; i < line.first + line.count; ++i) {
-    levels.push_back(level);
-    const auto y = static_cast<float>(samples.luminance[i]);
+    levels.push_back(static_cast<CarpetLevel>(level));
+    const int gap = 128 * samples.luminance[i] - level;
     if (samples.classes[i] != ColourClass::kGreen) continue;
-    if (y > 0.8F * level && y < 1.2F * level) level += 0.04F * (y - level);
+    if (std::abs(gap) < level * 13107 / 65536) {
+      level += static_cast<int>(std::floor((gap + 12) * 2621 / 65536.0));
+    }
   }
   return levels;
 }
@@ -100,15 +112,33 @@ TEST(CarpetLevel, FollowsEachLineByItselfHoweverManyThereAre) {
       lines.push_back({first, 1 + random() % 300, 0.0});
       first += lines.back().count;
     }
-    std::vector<float> levels(samples.classes.size());
+    std::vector<CarpetLevel> levels(samples.classes.size());
 
     follow_carpet(samples.read(), lines, kCarpet, levels);
 
     for (const ScanRange& line : lines) {
       const auto begin = levels.begin() + static_cast<std::ptrdiff_t>(line.first);
-      EXPECT_EQ(std::vector<float>(begin, begin + static_cast<std::ptrdiff_t>(line.count)),
+      EXPECT_EQ(std::vector<CarpetLevel>(begin, begin + static_cast<std::ptrdiff_t>(line.count)),
                 levels_of(samples, line, kCarpet));
     }
+  }
+}
+
+TEST(CarpetLevel, FollowsByFourPercentOfTheWay) {
+  Samples samples(400);
+  std::mt19937 random(6);
+  for (std::size_t i = 0; i < 400; ++i) {
+    samples.classes[i] = ColourClass::kGreen;
+    samples.luminance[i] = static_cast<std::uint8_t>(80 + i / 8 + random() % 11);
+  }
+  std::vector<CarpetLevel> levels(400);
+
+  follow_carpet(samples.read(), std::vector<ScanRange>{{0, 400, 0.0}}, kCarpet, levels);
+
+  double level = kCarpet;
+  for (std::size_t i = 0; i < 400; ++i) {
+    EXPECT_NEAR(levels[i] / 128.0, level, 0.15) << i;
+    level += 0.04 * (samples.luminance[i] - level);
   }
 }
 
