@@ -154,14 +154,14 @@ void TrustBook::judge_halves(const Active& active,
   }
 }
 
-/// Whether what it and those in the right half see fits its mirror image: one that fits neither
-/// place was carried away.
+/// Whether what it and those in the right half see does not speak against its mirror image as well:
+/// one that fits neither place was carried away.
 bool TrustBook::is_found_at_mirror(std::size_t i, const Active& active, unsigned turned) const {
   double sum = 0.0;
   for (std::size_t j = 0; j < active.count; ++j) {
     if ((turned >> j & 1U) == 0) sum += at_mirror_[active.index[i]][active.index[j]];
   }
-  return sum > 0.0;
+  return sum >= 0.0;
 }
 
 /// What a pair counts: no robot's word alone carries a verdict.
