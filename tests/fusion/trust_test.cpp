@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fusion/fusion.hpp"
 #include "tests/fusion/scenario.hpp"
 
 namespace teamsight::fusion {
@@ -176,6 +177,21 @@ TEST(Trust, CallsWhoFitsNeitherPlaceNorMirrorImageCarriedAway) {
   EXPECT_LT(book.half_log_odds(3, kParameters), 0.0);
 
   EXPECT_EQ(book.verdict(3, at_second(3.8), kParameters), Quarantine::kKidnapped);
+}
+
+TEST(Trust, DoesNotBelieveWhoSaysThatItStandsBeyondTheCarpet) {
+  const FieldModel field = test::plain_field();
+  const auto verdict_at = [&](double beyond_carpet) {
+    Fusion fusion(Parameters{}, field);
+    test::Eye eye(1, 11);
+    const double x = field.centre.x + 0.5 * field.length + field.surround + beyond_carpet;
+    eye.look({x, 0.0, 3.0}, at_second(0.0));
+    EXPECT_EQ(fusion.insert(eye.frame(), at_second(0.01)), Intake::kAccepted);
+    return fusion.world_at(at_second(0.01)).teammates.at(0).quarantine;
+  };
+
+  EXPECT_EQ(verdict_at(0.0), Quarantine::kNone);
+  EXPECT_EQ(verdict_at(2.0), Quarantine::kKidnapped);
 }
 
 TEST(Trust, NamesTheOneWhosePostureTheOthersSeeAside) {
