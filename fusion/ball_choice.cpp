@@ -51,6 +51,18 @@ bool is_seen_beside(const TrackBook& before, const TrackBook& after) {
   return after.born + kOverlap < before.last_hit;
 }
 
+/// Log-odds that the one listed before is a ball, against another that is found. Where both are
+/// seen at once, neither is the other hidden: one that a single robot has vouched for so far is
+/// then no better founded than a new one.
+double log_odds_held(const TrackBook& before,
+                     const TrackBook& after,
+                     const Parameters& parameters) {
+  const double proven = log_odds_proven(before, parameters.choice);
+  const double one_word = parameters.ball.most_vote;
+  const bool is_as_new = is_seen_beside(before, after) && before.proven <= one_word;
+  return is_as_new ? proven - one_word : proven;
+}
+
 /// Like log_explained, for what none of the possibilities foresees: then the ball may be anywhere
 /// on the field, and as fast as a false one.
 double log_lost(const TrackBook& before,
@@ -111,7 +123,7 @@ BallOrder order_of_choice(const BallList& balls,
     std::size_t place = order.size();
     while (place > 0) {
       const BallTrack& old = balls[order[place - 1]];
-      const double real = log_odds_proven(old.book, parameters.choice) + hint(old);
+      const double real = log_odds_held(old.book, balls[i].book, parameters) + hint(old);
       // Odds against the old one being real add to those of its having been kicked there.
       const double kicked = log_explained(old, balls[i], parameters.choice);
       const double lost = log_lost(old.book, balls[i].book, parameters.choice);

@@ -104,9 +104,12 @@ struct TrustParameters {
   double most_for{3.0};        ///< log-odds that one thing adds in one look
   double most_against{1.5};    ///< ... takes away
   double most_evidence{20.0};  ///< log-odds that a pair of robots gathers
-  /// Log-odds from which a pair of robots agrees, or contradicts each other.
+  /// The most log-odds that a pair's agreement, or its contradiction, counts where it is asked who
+  /// stands elsewhere than it says. From `agreement` on a robot that did is believed again.
   double agreement{3.0};
   double contradiction{4.0};
+  double in_place{3.0};       ///< log-odds that a robot stands where it says: 95 %
+  double place_margin{2.5};   ///< log-odds by which the best explanation leads over the next
   double mirror_gain{10.0};   ///< log-odds that a half must gain to be called wrong
   double mirror_margin{2.5};  ///< ... and lead over the next best explanation
   double most_own{4.0};       ///< of a robot's own log-odds of its half, however convinced it is

@@ -70,6 +70,15 @@ double offset_of(const State& state, const Observation& observation, const Param
   return offset.dot(cov.llt().solve(offset));
 }
 
+/// Whether it says that it stands beyond the carpet, by more than it may err.
+bool is_off_carpet(const PostureEstimate& posture, const Setting& setting) {
+  const Carpet carpet = Carpet::of(setting.field, setting.parameters.carpet_margin);
+  const Eigen::Array2d aside = (posture.X_FR.origin().vector() - carpet.centre_F).array().abs();
+  const Eigen::Array2d sigma = posture.cov.topLeftCorner<2, 2>().diagonal().array().sqrt();
+  constexpr double kSure = 3.0;  // standard deviations
+  return (aside > 0.5 * carpet.size.array() + kSure * sigma).any();
+}
+
 /// Weighs the frame against what the others say, now and then.
 void gather_evidence(State& state,
                      const Observation& observation,
@@ -95,6 +104,9 @@ void gather_evidence(State& state,
     state.trust.add(robot, pair, parameters);
   }
   state.trust.judge(observation.exposure, parameters);
+  if (is_off_carpet(observation.posture, setting)) {
+    state.trust.banish(robot, observation.exposure);
+  }
 }
 
 /// Takes back what robots said while they stood elsewhere than they said.

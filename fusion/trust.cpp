@@ -45,6 +45,7 @@ void TrustBook::begin_look(RobotId robot, HostTime exposure, const TrustParamete
     const double keep = std::exp(-0.5 * dt / to_seconds(parameters.memory));
     fade(agreement_, robot, keep);
     fade(same_half_, robot, keep);
+    fade(at_mirror_, robot, keep);
   }
   page.looked = exposure;
 }
@@ -67,6 +68,7 @@ void TrustBook::add(RobotId robot,
   };
   put(agreement_, evidence.agreement);
   put(same_half_, evidence.same_half);
+  put(at_mirror_, evidence.agreement - evidence.same_half);
 }
 
 void TrustBook::turn_over(RobotId robot) {
@@ -74,22 +76,30 @@ void TrustBook::turn_over(RobotId robot) {
     same_half_[index_of(robot)][other] *= -1.0;
     same_half_[other][index_of(robot)] *= -1.0;
     agreement_[index_of(robot)][other] = agreement_[other][index_of(robot)] = 0.0;
+    at_mirror_[index_of(robot)][other] = at_mirror_[other][index_of(robot)] = 0.0;
   }
   pages_[index_of(robot)].bias = 0.0;
+  pages_[index_of(robot)].is_carried = false;
   pages_[index_of(robot)].verdict = Quarantine::kNone;
 }
 
 void TrustBook::forget(RobotId robot) {
   for (std::size_t other = 0; other < kMaxRobotId; ++other) {
-    for (Pairs* pairs : {&agreement_, &same_half_}) {
+    for (Pairs* pairs : {&agreement_, &same_half_, &at_mirror_}) {
       (*pairs)[index_of(robot)][other] = (*pairs)[other][index_of(robot)] = 0.0;
     }
   }
   pages_[index_of(robot)].bias = 0.0;
+  pages_[index_of(robot)].is_carried = false;
   pages_[index_of(robot)].verdict = Quarantine::kNone;
 }
 
 void TrustBook::hold(RobotId robot, HostTime exposure) {
+  convict(index_of(robot), Quarantine::kKidnapped, exposure);
+}
+
+void TrustBook::banish(RobotId robot, HostTime exposure) {
+  pages_[index_of(robot)].is_carried = true;
   convict(index_of(robot), Quarantine::kKidnapped, exposure);
 }
 
@@ -139,48 +149,90 @@ void TrustBook::judge_halves(const Active& active,
   }
   if (best < parameters.mirror_gain || best - second < parameters.mirror_margin) return;
   for (std::size_t i = 0; i < active.count; ++i) {
-    if ((turned >> i & 1U) != 0) convict(active.index[i], Quarantine::kMirrored, exposure);
+    if ((turned >> i & 1U) == 0 || !is_found_at_mirror(i, active, turned)) continue;
+    convict(active.index[i], Quarantine::kMirrored, exposure);
   }
 }
 
-/// How many more contradict a robot than agree with it; 0 unless at least two contradict.
-int TrustBook::contradictions(std::size_t index,
-                              const Active& active,
-                              const std::array<bool, kMaxRobotId>& is_out,
-                              const TrustParameters& parameters) const {
-  int against = 0;
-  int with = 0;
+/// Whether what it and those in the right half see does not speak against its mirror image as well:
+/// one that fits neither place was carried away.
+bool TrustBook::is_found_at_mirror(std::size_t i, const Active& active, unsigned turned) const {
+  double sum = 0.0;
   for (std::size_t j = 0; j < active.count; ++j) {
-    const std::size_t other = active.index[j];
-    if (is_out[other] || other == index) continue;
-    if (agreement_[index][other] < -parameters.contradiction) ++against;
-    if (agreement_[index][other] > parameters.agreement) ++with;
+    if ((turned >> j & 1U) == 0) sum += at_mirror_[active.index[i]][active.index[j]];
   }
-  return against < 2 ? 0 : against - with;
+  return sum >= 0.0;
 }
 
-/// Takes away whom most contradict, one after the other.
-void TrustBook::judge_places(const Active& active,
+/// What a pair counts: no robot's word alone carries a verdict.
+double TrustBook::pair_agreement(std::size_t a,
+                                 std::size_t b,
+                                 const TrustParameters& parameters) const {
+  return std::clamp(agreement_[a][b], -parameters.contradiction, parameters.agreement);
+}
+
+/// Log-odds for that these robots, and no others, were carried away: nothing that a pair with one
+/// of them says of itself is to be explained any more.
+double TrustBook::gain_of_carried(const Active& active,
+                                  unsigned carried,
+                                  const TrustParameters& parameters) const {
+  double gain = 0.0;
+  for (std::size_t i = 0; i < active.count; ++i) {
+    const bool is_carried = (carried >> i & 1U) != 0;
+    if (is_carried) gain -= parameters.in_place;
+    for (std::size_t j = i + 1; j < active.count; ++j) {
+      if (!is_carried && (carried >> j & 1U) == 0) continue;
+      gain -= pair_agreement(active.index[i], active.index[j], parameters);
+    }
+  }
+  return gain;
+}
+
+/// Finds who was carried away: the explanation of all contradictions that gains most, by a margin.
+void TrustBook::judge_places(const Active& all,
                              HostTime exposure,
                              const TrustParameters& parameters) {
-  std::array<bool, kMaxRobotId> is_out{};
-  for (std::size_t i = 0; i < active.count; ++i) {
-    const TrustPage& page = pages_[active.index[i]];
-    is_out[active.index[i]] = page.verdict == Quarantine::kMirrored && page.held == exposure;
+  Active active;
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const TrustPage& page = pages_[all.index[i]];
+    if (page.verdict == Quarantine::kMirrored && page.held == exposure) continue;
+    active.index[active.count++] = all.index[i];
   }
-  for (std::size_t round = 0; round < active.count; ++round) {
-    std::size_t worst = kMaxRobotId;
-    int most = 0;
-    for (std::size_t i = 0; i < active.count; ++i) {
-      const std::size_t index = active.index[i];
-      const int balance = is_out[index] ? 0 : contradictions(index, active, is_out, parameters);
-      if (balance <= most) continue;
-      worst = index;
-      most = balance;
+  double best = 0.0;
+  double second = 0.0;
+  unsigned carried = 0;
+  for (unsigned set = 1; set < 1U << active.count; ++set) {
+    const double gain = gain_of_carried(active, set, parameters);
+    if (gain > best) {
+      second = best;
+      best = gain;
+      carried = set;
+    } else {
+      second = std::max(second, gain);
     }
-    if (worst == kMaxRobotId) return;
-    is_out[worst] = true;
-    convict(worst, Quarantine::kKidnapped, exposure);
+  }
+  if (best - second >= parameters.place_margin) {
+    for (std::size_t i = 0; i < active.count; ++i) {
+      if ((carried >> i & 1U) == 0) continue;
+      banish(static_cast<RobotId>(active.index[i] + 1), exposure);
+    }
+  }
+  keep_carried(active, exposure, parameters);
+}
+
+/// Who was carried away stays so until the others agree with it again, or nobody is left to.
+void TrustBook::keep_carried(const Active& active,
+                             HostTime exposure,
+                             const TrustParameters& parameters) {
+  for (std::size_t i = 0; i < active.count; ++i) {
+    TrustPage& page = pages_[active.index[i]];
+    if (!page.is_carried || page.held == exposure) continue;
+    double sum = 0.0;
+    for (std::size_t j = 0; j < active.count; ++j) {
+      if (j != i) sum += pair_agreement(active.index[i], active.index[j], parameters);
+    }
+    page.is_carried = active.count > 2 && sum < parameters.agreement;
+    if (page.is_carried) convict(active.index[i], Quarantine::kKidnapped, exposure);
   }
 }
 

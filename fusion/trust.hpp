@@ -25,6 +25,9 @@ struct TrustPage {
   Quarantine verdict{Quarantine::kNone};
   double own_half{0.0};  ///< its own log-odds
   double bias{0.0};      ///< squared normalised offset of its posture, smoothed
+  /// It was found to stand elsewhere than it says. That does not mend by itself: it lasts until
+  /// others agree with it, or until its posture jumps.
+  bool is_carried{false};
 };
 
 /// Gathers evidence by pairs of robots, so that no robot is judge in its own cause, and judges by
@@ -55,6 +58,9 @@ class TrustBook {
   /// Its posture jumped: it is not believed for a while.
   void hold(RobotId robot, HostTime exposure);
 
+  /// It says that it stands where no robot can: it is not believed until others agree with it.
+  void banish(RobotId robot, HostTime exposure);
+
   /// Finds who is not to be believed, from all evidence.
   void judge(HostTime exposure, const TrustParameters& parameters);
 
@@ -82,18 +88,23 @@ class TrustBook {
   void judge_halves(const Active& active, HostTime exposure, const TrustParameters& parameters);
   void judge_places(const Active& active, HostTime exposure, const TrustParameters& parameters);
   void judge_biases(const Active& active, HostTime exposure, const TrustParameters& parameters);
-  [[nodiscard]] int contradictions(std::size_t index,
-                                   const Active& active,
-                                   const std::array<bool, kMaxRobotId>& is_out,
-                                   const TrustParameters& parameters) const;
+  void keep_carried(const Active& active, HostTime exposure, const TrustParameters& parameters);
+  [[nodiscard]] double pair_agreement(std::size_t a,
+                                      std::size_t b,
+                                      const TrustParameters& parameters) const;
+  [[nodiscard]] bool is_found_at_mirror(std::size_t i, const Active& active, unsigned turned) const;
   void convict(std::size_t index, Quarantine verdict, HostTime exposure);
   [[nodiscard]] double gain_of(const Active& active,
                                unsigned turned,
                                const TrustParameters& parameters) const;
+  [[nodiscard]] double gain_of_carried(const Active& active,
+                                       unsigned carried,
+                                       const TrustParameters& parameters) const;
 
   std::array<TrustPage, kMaxRobotId> pages_{};
   Pairs agreement_{};
   Pairs same_half_{};
+  Pairs at_mirror_{};  ///< log-odds that one of the pair stands at its mirror image, not anywhere
 };
 
 }  // namespace teamsight::fusion

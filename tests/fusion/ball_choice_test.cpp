@@ -102,6 +102,31 @@ TEST(BallChoice, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsTo
   EXPECT_EQ(world.balls[0].track, ball);
 }
 
+TEST(BallChoice, WhatTwoRobotsSeeComesBeforeWhatOneHasSeenAllAlong) {
+  Fusion fusion = make_fusion();
+  Eye alone(1, 11);
+  Eye left(2, 22);
+  Eye right(3, 33);
+  const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
+  const auto see_another = [](Eye& eye) {
+    eye.see_ball({7.0, -4.0});
+  };
+  watch(fusion, alone, far_away, 0.0, 1.0, see_another);
+  const std::uint32_t first = fusion.world_at(at_second(1.0)).balls.at(0).track;
+
+  for (int i = 0; i < 10; ++i) {
+    const double t = 1.0 + 0.1 * i;
+    watch(fusion, alone, far_away, t, t + 0.1, see_another);
+    watch(fusion, left, kLeftOfBall, t, t + 0.1, see_the_ball);
+    watch(fusion, right, kRightOfBall, t, t + 0.1, see_the_ball);
+  }
+
+  const WorldModel world = fusion.world_at(at_second(2.0));
+  ASSERT_EQ(world.balls.size(), 2U);
+  EXPECT_NE(world.balls[0].track, first);
+  EXPECT_EQ(world.balls[1].track, first);
+}
+
 TEST(BallChoice, WhatOneRobotSeesWhereNoKickCanHaveLedComesSecond) {
   Fusion fusion = make_fusion();
   Eye left(1, 11);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fusion/fusion.hpp"
 #include "tests/fusion/scenario.hpp"
 
 namespace teamsight::fusion {
@@ -113,6 +114,84 @@ TEST(Trust, TakesBackWhoTurnedRoundAtOnce) {
   for (int i = 10; i < 15; ++i) team.look(0.2 * i);
 
   team.expect_mirrored({}, 2.8);
+}
+
+/// Everybody looks once; robot 3's pairs get this evidence, the others agree.
+void look_at_third(TrustBook& book, double t, const std::vector<PairEvidence>& of_third) {
+  const HostTime now = at_second(t);
+  for (RobotId robot = 1; robot <= kTeam; ++robot) {
+    book.begin_look(robot, now, kParameters);
+    book.note(robot, now, kSure, 1.0);
+    if (robot == 3) {
+      for (const PairEvidence& pair : of_third) book.add(3, pair, kParameters);
+      continue;
+    }
+    for (RobotId other = robot + 1; other <= kTeam; ++other) {
+      if (other != 3) book.add(robot, {other, 1.0, 1.0}, kParameters);
+    }
+  }
+  book.judge(now, kParameters);
+}
+
+TEST(Trust, NamesTheOneThatTwoContradictHoweverLittleTheSecondSees) {
+  TrustBook one;
+  TrustBook two;
+  for (int i = 0; i < 10; ++i) {
+    look_at_third(one, 0.2 * i, {{1, -1.5, 0.0}});
+    look_at_third(two, 0.2 * i, {{1, -1.5, 0.0}, {2, -0.4, 0.0}});
+  }
+
+  EXPECT_EQ(one.verdict(3, at_second(1.8), kParameters), Quarantine::kNone);
+  EXPECT_EQ(two.verdict(3, at_second(1.8), kParameters), Quarantine::kKidnapped);
+  EXPECT_EQ(two.verdict(1, at_second(1.8), kParameters), Quarantine::kNone);
+}
+
+TEST(Trust, KeepsACarriedOneAsideUntilOthersAgreeWithIt) {
+  TrustBook book;
+  for (int i = 0; i < 10; ++i) look_at_third(book, 0.2 * i, {{1, -1.5, 0.0}, {2, -1.5, 0.0}});
+  for (int i = 10; i < 200; ++i) look_at_third(book, 0.2 * i, {});
+  EXPECT_EQ(book.verdict(3, at_second(39.8), kParameters), Quarantine::kKidnapped);
+
+  for (int i = 200; i < 215; ++i) look_at_third(book, 0.2 * i, {{1, 1.0, 0.0}, {2, 1.0, 0.0}});
+
+  EXPECT_EQ(book.verdict(3, at_second(42.8), kParameters), Quarantine::kNone);
+}
+
+TEST(Trust, BelievesACarriedOneAgainOnceItsPostureJumped) {
+  TrustBook book;
+  for (int i = 0; i < 10; ++i) look_at_third(book, 0.2 * i, {{1, -1.5, 0.0}, {2, -1.5, 0.0}});
+
+  book.forget(3);
+  look_at_third(book, 2.0, {});
+
+  EXPECT_EQ(book.verdict(3, at_second(2.0), kParameters), Quarantine::kNone);
+}
+
+TEST(Trust, CallsWhoFitsNeitherPlaceNorMirrorImageCarriedAway) {
+  TrustBook book;
+  const double here = -1.5;
+  const double there = -0.5;
+  for (int i = 0; i < 20; ++i) {
+    look_at_third(book, 0.2 * i, {{1, here, here - there}, {2, here, here - there}});
+  }
+  EXPECT_LT(book.half_log_odds(3, kParameters), 0.0);
+
+  EXPECT_EQ(book.verdict(3, at_second(3.8), kParameters), Quarantine::kKidnapped);
+}
+
+TEST(Trust, DoesNotBelieveWhoSaysThatItStandsBeyondTheCarpet) {
+  const FieldModel field = test::plain_field();
+  const auto verdict_at = [&](double beyond_carpet) {
+    Fusion fusion(Parameters{}, field);
+    test::Eye eye(1, 11);
+    const double x = field.centre.x + 0.5 * field.length + field.surround + beyond_carpet;
+    eye.look({x, 0.0, 3.0}, at_second(0.0));
+    EXPECT_EQ(fusion.insert(eye.frame(), at_second(0.01)), Intake::kAccepted);
+    return fusion.world_at(at_second(0.01)).teammates.at(0).quarantine;
+  };
+
+  EXPECT_EQ(verdict_at(0.0), Quarantine::kNone);
+  EXPECT_EQ(verdict_at(2.0), Quarantine::kKidnapped);
 }
 
 TEST(Trust, NamesTheOneWhosePostureTheOthersSeeAside) {
