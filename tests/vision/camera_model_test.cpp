@@ -119,6 +119,21 @@ TEST(CameraModel, ReflectsLikeACone) {
   EXPECT_NEAR(floor->y, y * tan_alpha + (y + 0.5) * std::tan(psi), 1e-6);
 }
 
+TEST(CameraModel, ReflectsLikeAPlaneMirrorRightBesideAKink) {
+  CameraParameters camera = profile_camera(0.0);
+  auto& mirror = std::get<ProfileMirror>(camera.mirror);
+  // A cone up to 20 mm from the axis, then a flat ring.
+  mirror.profile.clear();
+  for (int i = 0; i <= 20; ++i) mirror.profile.push_back({1e-3 * i, 0.19 + 0.5e-3 * i});
+  for (int i = 0; i <= 20; ++i) mirror.profile.push_back({0.02 + 1e-9 + 1e-3 * i, 0.2});
+  const CameraModel model(camera);
+
+  const auto floor = model.on_plane({160.0 + 41.0, 120.0}, 0.0);  // 0.5 mm beyond the kink
+
+  ASSERT_TRUE(floor);
+  EXPECT_NEAR(floor->x, 0.9 * 41.0 / 400.0, 1e-6);
+}
+
 TEST(CameraModel, ProjectsThroughATiltedAndShiftedMirror) {
   CameraParameters camera = profile_camera(0.5);
   auto& mirror = std::get<ProfileMirror>(camera.mirror);
