@@ -21,7 +21,14 @@ BallBlob& BallBlob::operator+=(const BallBlob& other) {
   sum_direction += other.sum_direction;
   sum_origin += other.sum_origin;
   sum_square += other.sum_square;
+  outline += other.outline;
   return *this;
+}
+
+bool is_cut(const BallBlob& blob) {
+  constexpr double kLeastCut = 0.05;  // of the outline
+  const auto cut = static_cast<double>(blob.outline.cut);
+  return cut > kLeastCut * (cut + static_cast<double>(blob.outline.pixels));
 }
 
 BlobEllipse ellipse_of(const BallBlob& blob) {

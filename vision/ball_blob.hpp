@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <Eigen/Core>
+
+#include "vision/ball_outline.hpp"
 
 namespace teamsight::vision {
 
@@ -21,7 +24,10 @@ struct BallBlob {
   Eigen::Vector3d sum_direction{Eigen::Vector3d::Zero()};  ///< in R, weighted by solid angle
   Eigen::Vector3d sum_origin{Eigen::Vector3d::Zero()};     ///< of the rays, in R; the same
   Eigen::Matrix3d sum_square{Eigen::Matrix3d::Zero()};     ///< of the directions; the same
+  std::uint8_t mirror_part{0};
+  BallOutline outline;  ///< of a blob that ends where its part of the mirror ends; else empty
 
+  /// @pre both lie in the same part of the mirror
   BallBlob& operator+=(const BallBlob& other);
 };
 
@@ -33,6 +39,10 @@ struct BlobEllipse {
   double minor{0.0};      ///< half axis
   double direction{0.0};  ///< of the major axis, clockwise from image right; rad
 };
+
+/// Whether so much of a blob's outline lies where its part of the mirror ends that only the rest of
+/// the outline says how large and where the ball is.
+[[nodiscard]] bool is_cut(const BallBlob& blob);
 
 /// @pre the blob has pixels
 [[nodiscard]] BlobEllipse ellipse_of(const BallBlob& blob);

@@ -2,10 +2,14 @@
 #include "vision/ball_detector.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 
+#include "vision/ball_images.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/polygon.hpp"
 #include "vision/surface.hpp"
@@ -26,6 +30,11 @@ constexpr std::size_t kFewestInPart = 4;  // pixels
 constexpr std::size_t kBehind = 30;       // samples behind the carpet's hull
 constexpr double kPartsApart = 1.7;       // of the expected radius, between the parts' middles
 constexpr double kPartsTogether = 1.3;    // of the expected radius, for both together
+// Of a cone's radius: nearer to its axis is no outline, ever more strictly.
+constexpr std::array<double, 3> kInterior{0.8, 0.9, 0.95};
+constexpr double kSeedStep = 8.0;         // parts of the expected radius
+constexpr std::size_t kMostSeedStep = 8;  // px
+constexpr double kLeastSeen = 0.1;        // of a ball, for its uncertainty
 constexpr float kNear = 0.8F;  // m; there the own body hides parts of what surrounds a ball
 
 BallColour colour_name(double u, double v) {
@@ -38,6 +47,18 @@ BallColour colour_name(double u, double v) {
 
 bool is_in_rings(const Mask& mask, double radius_px) {
   return radius_px >= mask.inner_radius_px && radius_px <= mask.outer_radius_px;
+}
+
+// A ball of which a part is seen: direction and size by the cone through its outline.
+//
+// @return the share that is seen
+double complete(const BallBlob& blob, BallRay& ray) {
+  const auto cone = cone_of(blob.outline);
+  if (!cone) return kLeastSeen;
+  ray.ray_R = cone->axis_R;
+  ray.angular_radius = cone->angular_radius;
+  const double whole = 2.0 * std::numbers::pi * (1.0 - std::cos(cone->angular_radius));
+  return std::clamp(blob.solid_angle / whole, kLeastSeen, 1.0);
 }
 
 // The first sample from `i` on that has the ball's colour; `end` if there is none before it.
@@ -56,7 +77,8 @@ BallDetector::BallDetector(const RayTable& rays,
                            const Pixel& centre,
                            const BallRules& rules)
     : centre_(centre),
-      rules_(rules) {
+      rules_(rules),
+      parts_(rays, centre) {
   const std::size_t pixels = std::size_t{rays.width()} * rays.height();
   solid_angle_.resize(pixels, 0.0F);
   visited_.resize(pixels, 0);
@@ -68,13 +90,31 @@ BallDetector::BallDetector(const RayTable& rays,
     const auto v = static_cast<std::uint32_t>(pixel / rays.width());
     const double radius = std::hypot(u - centre.u, v - centre.v);
     const PixelRay& ray = rays[pixel];
-    if (ray.sees_floor() && std::hypot(ray.floor_x, ray.floor_y) < kNear) {
+    if (parts_[pixel] == MirrorParts::kInner && ray.sees_floor() &&
+        std::hypot(ray.floor_x, ray.floor_y) < kNear) {
       near_px_ = std::max(near_px_, radius);
     }
     // Struts are not masked: they have no ball's colour, and a ball shows on both of their sides.
-    if (is_in_rings(mask, radius) && !is_hidden(mask, {1.0 * u, 1.0 * v})) {
+    if (is_in_rings(mask, radius) && !is_hidden(mask, {1.0 * u, 1.0 * v}) &&
+        !parts_.is_seam(pixel, rays.width())) {
       solid_angle_[pixel] = solid_angle_of(rays, u, v);
     }
+  }
+  if (parts_.are_several()) find_seeds(rays);
+}
+
+// So close that none misses a ball on the floor.
+void BallDetector::find_seeds(const RayTable& rays) {
+  for (std::size_t pixel = 0; pixel < solid_angle_.size(); ++pixel) {
+    if (parts_[pixel] == MirrorParts::kInner || solid_angle_[pixel] <= 0.0F) continue;
+    const std::size_t column = pixel % rays.width();
+    const std::size_t row = pixel / rays.width();
+    const Pixel place{static_cast<double>(column), static_cast<double>(row)};
+    const double radius = expected_radius(rays, rules_.ball_radius, place);
+    if (radius <= 0.0) continue;
+    const std::size_t step = std::bit_floor(
+        std::clamp(static_cast<std::size_t>(radius / kSeedStep), std::size_t{1}, kMostSeedStep));
+    if (column % step == 0 && row % step == 0) seeds_.push_back(pixel);
   }
 }
 
@@ -96,7 +136,47 @@ BallBlob BallDetector::grow(const FrameTables& frame, std::size_t seed, Belongs 
       if (neighbour < visited_.size()) visit(neighbour);
     }
   }
+  blob.mirror_part = parts_[seed];
+  if (parts_.are_several()) blob.outline = outline_of(frame.rays);
   return blob;
+}
+
+BallOutline BallDetector::outline_beyond(const RayTable& rays,
+                                         const Eigen::Vector3d& axis,
+                                         double angle) const {
+  const std::size_t width = rays.width();
+  const double most = std::cos(angle);
+  BallOutline outline;
+  for (const std::size_t pixel : open_) {
+    bool is_edge = false;
+    bool is_at_end = false;
+    for (const std::size_t neighbour : {pixel - 1, pixel + 1, pixel - width, pixel + width}) {
+      if (neighbour >= visited_.size() || visited_[neighbour] == visited_[pixel]) continue;
+      is_edge = true;
+      is_at_end = is_at_end || solid_angle_[neighbour] <= 0.0F;
+    }
+    const PixelRay& ray = rays[pixel];
+    if (is_at_end) {
+      ++outline.cut;
+    } else if (is_edge &&
+               axis.dot(Eigen::Vector3f(ray.direction_x, ray.direction_y, ray.direction_z)
+                            .cast<double>()) < most) {
+      outline.add(ray);
+    }
+  }
+  return outline;
+}
+
+// Glare makes holes, whose edges are no outline: those lie inside the cone through all.
+BallOutline BallDetector::outline_of(const RayTable& rays) const {
+  BallOutline outline = outline_beyond(rays, Eigen::Vector3d::Zero(), 0.0);
+  if (outline.cut == 0) return {};
+  for (const double interior : kInterior) {
+    const auto cone = cone_of(outline);
+    if (!cone) break;
+    outline = outline_beyond(rays, cone->axis_R.direction, interior * cone->angular_radius);
+  }
+  return outline;
 }
 
 void BallDetector::add(const FrameTables& frame, std::size_t pixel, BallBlob& blob) const {
@@ -162,6 +242,7 @@ BallBlob BallDetector::grow_ball(const FrameTables& frame, std::size_t seed) {
 }
 
 bool BallDetector::are_parts(const RayTable& rays, const BallBlob& a, const BallBlob& b) const {
+  if (a.mirror_part != b.mirror_part) return false;
   const BlobEllipse one = ellipse_of(a);
   const BlobEllipse other = ellipse_of(b);
   const Pixel middle{0.5 * (one.u + other.u), 0.5 * (one.v + other.v)};
@@ -184,11 +265,23 @@ void BallDetector::join_parts(const RayTable& rays) {
   }
 }
 
+BallTraits BallDetector::traits_in(const FrameTables& frame, const BallBlob& blob) const {
+  double near = near_px_;
+  if (blob.mirror_part != MirrorParts::kInner) {
+    const BlobEllipse ellipse = ellipse_of(blob);
+    const PixelRay& ray = frame.rays.at(static_cast<std::uint32_t>(std::lround(ellipse.u)),
+                                        static_cast<std::uint32_t>(std::lround(ellipse.v)));
+    const bool is_near = ray.sees_floor() && std::hypot(ray.floor_x, ray.floor_y) < kNear;
+    near = is_near ? std::numeric_limits<double>::infinity() : 0.0;
+  }
+  return traits_of(blob, {frame, solid_angle_, parts_, centre_, near, rules_.ball_radius});
+}
+
 void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
   if (blob.pixels < kFewestPixels || blob.solid_angle <= 0.0) return;
   BallCandidate candidate;
-  candidate.pixels.traits =
-      traits_of(blob, {frame, solid_angle_, centre_, near_px_, rules_.ball_radius});
+  candidate.pixels.traits = traits_in(frame, blob);
+  candidate.pixels.mirror_part = blob.mirror_part;
   BallRay& ray = candidate.ray;
   ray.confidence = probability(rules_.model, candidate.pixels.traits);
   if (ray.confidence < rules_.model.least) return;
@@ -196,10 +289,12 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
   ray.ray_R.origin = Point3<Robot>::from(blob.sum_origin / blob.solid_angle);
   ray.ray_R.direction = blob.sum_direction.normalized();
   ray.angular_radius = angular_extent_of(blob);
+  double seen = 1.0;
+  if (is_cut(blob)) seen = complete(blob, ray);
   const double pixel_angle = std::sqrt(blob.solid_angle / count);
   // The outline of n pixels is wrong by about a pixel of blur, and the middle by less.
-  ray.sigma_angular_radius = std::max(kSizeSigma * ray.angular_radius, 0.7 * pixel_angle);
-  const double sigma = kPixelSigma * pixel_angle + 0.03 * ray.angular_radius;
+  ray.sigma_angular_radius = std::max(kSizeSigma * ray.angular_radius, 0.7 * pixel_angle) / seen;
+  const double sigma = (kPixelSigma * pixel_angle + 0.03 * ray.angular_radius) / seen;
   const double level = ray.ray_R.direction.head<2>().norm();
   const double sigma_azimuth = sigma / std::max(level, 0.05);
   ray.cov_direction = Eigen::Vector2d(sigma_azimuth * sigma_azimuth, sigma * sigma).asDiagonal();
@@ -220,10 +315,23 @@ void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) 
        i = next_of_ball(classes, i + 1, end)) {
     // Two in a row: single pixels of noise are not worth a search.
     if (classes[i + 1] != ColourClass::kBall) continue;
-    const std::size_t pixel = places[i];
-    if (is_taken(pixel) || blobs_.size() == kMostBlobs) continue;
-    const BallBlob blob = grow_ball(frame, pixel);
-    if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);
+    start_from(frame, places[i]);
+  }
+}
+
+void BallDetector::start_from(const FrameTables& frame, std::size_t pixel) {
+  if (is_taken(pixel) || blobs_.size() == kMostBlobs) return;
+  const BallBlob blob = grow_ball(frame, pixel);
+  if (blob.pixels >= kFewestInPart) blobs_.push_back(blob);
+}
+
+void BallDetector::seed_from_further_parts(const FrameTables& frame) {
+  const auto is_of_ball = [&](std::size_t pixel) {
+    return frame.colours.chromatic(frame.pixels.luminance(pixel), frame.pixels.chroma(pixel)) ==
+           ColourClass::kBall;
+  };
+  for (const std::size_t pixel : seeds_) {
+    if (is_of_ball(pixel) && is_of_ball(pixel + 1)) start_from(frame, pixel);
   }
 }
 
@@ -232,8 +340,10 @@ std::span<const BallCandidate> BallDetector::find(const FrameTables& frame) {
   found_.clear();
   blobs_.clear();
   for (std::size_t i = 0; i < frame.lines.radial().size(); ++i) seed_from(frame, i);
+  seed_from_further_parts(frame);
   join_parts(frame.rays);
   for (const BallBlob& blob : blobs_) judge(frame, blob);
+  join_images(found_, rules_.ball_radius);
   std::ranges::sort(found_, [](const BallCandidate& a, const BallCandidate& b) {
     return a.ray.confidence > b.ray.confidence;
   });

@@ -12,6 +12,7 @@
 #include "vision/ball_traits.hpp"
 #include "vision/camera_parameters.hpp"
 #include "vision/frame_tables.hpp"
+#include "vision/mirror_parts.hpp"
 
 namespace teamsight::vision {
 
@@ -23,6 +24,8 @@ struct BallPixels {
   BallTraits traits{};
   /// Its middle lies within the convex hull of the carpet that is seen.
   bool on_carpet{true};
+  /// Which part of a mirror of several shows it; 0: the inner one.
+  std::uint8_t mirror_part{0};
 
   friend bool operator==(const BallPixels&, const BallPixels&) = default;
 };
@@ -41,7 +44,9 @@ struct BallRules {
 };
 
 /// Grows blobs of ball-coloured pixels from seeds on the radial scan lines, joins the parts of one
-/// ball, and keeps what is a ball by its traits. Its buffers are its only state.
+/// ball, and keeps what is a ball by its traits. In the further parts of a mirror of several, where
+/// no radial lines run, it looks for seeds itself; one ball's images in two parts become one. Its
+/// buffers are its only state.
 class BallDetector {
  public:
   BallDetector(const RayTable& rays, const Mask& mask, const Pixel& centre, const BallRules& rules);
@@ -50,12 +55,21 @@ class BallDetector {
   [[nodiscard]] std::span<const BallCandidate> find(const FrameTables& frame);
 
  private:
+  void find_seeds(const RayTable& rays);
   void seed_from(const FrameTables& frame, std::size_t radial_line);
+  void seed_from_further_parts(const FrameTables& frame);
+  void start_from(const FrameTables& frame, std::size_t pixel);
   /// All that hangs together with the seed; `belongs` is asked once or more of each pixel, and
   /// marks those that it takes.
   template <class Belongs>
   [[nodiscard]] BallBlob grow(const FrameTables& frame, std::size_t seed, Belongs belongs);
   void add(const FrameTables& frame, std::size_t pixel, BallBlob& blob) const;
+  /// Of the blob that was grown last.
+  [[nodiscard]] BallOutline outline_of(const RayTable& rays) const;
+  /// The same of those of its pixels beyond that angle from an axis.
+  [[nodiscard]] BallOutline outline_beyond(const RayTable& rays,
+                                           const Eigen::Vector3d& axis,
+                                           double angle) const;
   [[nodiscard]] BallBlob grow_of_class(const FrameTables& frame, std::size_t seed);
   /// Of a blob that is larger than a ball can be there, what has at least half of the colour that
   /// its part nearest to the seed, and so to the robot, has: what is behind a ball is paler.
@@ -68,15 +82,18 @@ class BallDetector {
   /// Of one ball, on both sides of a strut, a hand or the mirror's seam.
   [[nodiscard]] bool are_parts(const RayTable& rays, const BallBlob& a, const BallBlob& b) const;
   void join_parts(const RayTable& rays);
+  [[nodiscard]] BallTraits traits_in(const FrameTables& frame, const BallBlob& blob) const;
   void judge(const FrameTables& frame, const BallBlob& blob);
 
   Pixel centre_;
   BallRules rules_;
+  MirrorParts parts_;
   double near_px_{0.0};  // from the image centre, to where a ball may touch the own body
   std::uint32_t frame_{0};
   std::vector<float> solid_angle_;  // of each pixel; 0 where the mask or the mirror ends
   /// The frame in which a pixel was last taken for a blob; one more: for what was left of it.
   std::vector<std::uint32_t> visited_;
+  std::vector<std::size_t> seeds_;  // in the mirror's further parts: where a blob may be met
   std::vector<std::size_t> open_;
   std::vector<BallBlob> blobs_;
   std::vector<BallCandidate> found_;

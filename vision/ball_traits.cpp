@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "geometry/angle.hpp"
 
@@ -61,7 +63,7 @@ void look_at(std::size_t pixel, bool is_near, const FrameTables& frame, Ring& ri
   if (colour == ColourClass::kNone && luminance > kPaintLuminance * carpet) ring.ground += 0.5;
 }
 
-Ring ring_around(const BlobEllipse& ellipse, const BallTraitSource& source) {
+Ring ring_around(const BlobEllipse& ellipse, std::uint8_t part, const BallTraitSource& source) {
   const FrameTables& frame = source.frame;
   const double major = kRingGrowth * ellipse.major + kRingMargin;
   const double minor = kRingGrowth * ellipse.minor + kRingMargin;
@@ -81,21 +83,35 @@ Ring ring_around(const BlobEllipse& ellipse, const BallTraitSource& source) {
     }
     const auto pixel =
         static_cast<std::size_t>(v) * frame.rays.width() + static_cast<std::size_t>(u);
-    if (source.solid_angle[pixel] <= 0.0F) continue;
+    if (source.solid_angle[pixel] <= 0.0F || source.parts[pixel] != part) continue;
     look_at(pixel, reach < source.near_px, frame, ring);
   }
   return ring;
 }
 
+// How far from the centre the inner part of the mirror shows the floor that a pixel sees; px.
+double inner_radius(const PixelRay& ray, std::span<const ScanSample> line, const Pixel& centre) {
+  if (!ray.sees_floor()) return std::numeric_limits<double>::infinity();
+  const float distance = std::hypot(ray.floor_x, ray.floor_y);
+  const auto place = std::ranges::partition_point(
+      line, [&](const ScanSample& sample) { return std::hypot(sample.x, sample.y) < distance; });
+  const ScanSample& sample = place == line.end() ? line.back() : *place;
+  return std::hypot(static_cast<double>(sample.u) - centre.u,
+                    static_cast<double>(sample.v) - centre.v);
+}
+
 // From the blob's middle outwards to the end of the carpet's hull; px of scale 1.
-double inside_carpet(const BlobEllipse& ellipse, const BallTraitSource& source) {
+double inside_carpet(const BlobEllipse& ellipse, std::uint8_t part, const BallTraitSource& source) {
   const ScanLines& lines = source.frame.lines;
   const auto radial = lines.radial();
   const double u = ellipse.u - source.centre.u;
   const double v = ellipse.v - source.centre.v;
   const double direction = std::atan2(-v, u);
+  const PixelRay& middle = source.frame.rays.at(static_cast<std::uint32_t>(std::lround(ellipse.u)),
+                                                static_cast<std::uint32_t>(std::lround(ellipse.v)));
   // The nearest lines on both sides: a strut may hide the one in the middle.
   double farthest = 0.0;
+  double radius = std::hypot(u, v);
   for (std::size_t i = 0; i < radial.size(); ++i) {
     if (std::abs(angle_difference(radial[i].image_direction, direction)) > kBeside) continue;
     const auto line = lines.samples(radial[i]);
@@ -103,8 +119,9 @@ double inside_carpet(const BlobEllipse& ellipse, const BallTraitSource& source) 
     farthest = std::max(farthest,
                         std::hypot(static_cast<double>(last.u) - source.centre.u,
                                    static_cast<double>(last.v) - source.centre.v));
+    if (part != MirrorParts::kInner) radius = inner_radius(middle, line, source.centre);
   }
-  return (farthest - std::hypot(u, v)) / static_cast<double>(lines.scale());
+  return (farthest - radius) / static_cast<double>(lines.scale());
 }
 
 // Logarithm of the blob's radius over that of a ball on the floor there.
@@ -114,6 +131,13 @@ double odd_size(const BallBlob& blob, const BlobEllipse& ellipse, const BallTrai
   if (expected <= 0.0) return kOddest;
   const double seen = std::sqrt(static_cast<double>(blob.pixels) / std::numbers::pi);
   return std::clamp(std::log(seen / expected), -kOddest, kOddest);
+}
+
+// The same of a ball of which a part is seen.
+double odd_size(const std::optional<BallCone>& cone, double ball_radius) {
+  const double expected = cone ? angular_radius_on_floor(cone->axis_R, ball_radius) : 0.0;
+  if (expected <= 0.0) return kOddest;
+  return std::clamp(std::log(cone->angular_radius / expected), -kOddest, kOddest);
 }
 
 }  // namespace
@@ -131,8 +155,14 @@ double expected_radius(const RayTable& rays, double ball_radius, const Pixel& mi
 
 BallTraits traits_of(const BallBlob& blob, const BallTraitSource& source) {
   const BlobEllipse ellipse = ellipse_of(blob);
-  const Ring ring = ring_around(ellipse, source);
-  const double size = odd_size(blob, ellipse, source);
+  const Ring ring = ring_around(ellipse, blob.mirror_part, source);
+  double size = odd_size(blob, ellipse, source);
+  double roundness = roundness_of(blob);
+  if (is_cut(blob)) {
+    const auto cone = cone_of(blob.outline);
+    size = odd_size(cone, source.ball_radius);
+    roundness = cone ? std::max(0.0, 1.0 - 2.0 * cone->sigma / cone->angular_radius) : 0.0;
+  }
   const double small = std::min(0.0, size);
   const double large = std::max(0.0, size);
   const auto count = static_cast<double>(blob.pixels);
@@ -143,12 +173,14 @@ BallTraits traits_of(const BallBlob& blob, const BallTraitSource& source) {
     contrast = std::hypot(blob.sum_u_chroma / count - ring.u_chroma / ring.points,
                           blob.sum_v_chroma / count - ring.v_chroma / ring.points);
   }
-  return {small * small,
-          large * large,
-          roundness_of(blob),
-          ground,
-          std::clamp(inside_carpet(ellipse, source) / kPixels, -kMostInside, kMostInside),
-          std::log(std::max(1.0, contrast))};
+  return {
+      small * small,
+      large * large,
+      roundness,
+      ground,
+      std::clamp(
+          inside_carpet(ellipse, blob.mirror_part, source) / kPixels, -kMostInside, kMostInside),
+      std::log(std::max(1.0, contrast))};
 }
 
 }  // namespace teamsight::vision

@@ -9,6 +9,7 @@
 #include "vision/ball_blob.hpp"
 #include "vision/camera_model.hpp"
 #include "vision/frame_tables.hpp"
+#include "vision/mirror_parts.hpp"
 
 namespace teamsight::vision {
 
@@ -32,11 +33,16 @@ struct BallTraitSource {
   const FrameTables& frame;
   /// Of each pixel; 0 where own body and mirror hide the world.
   std::span<const float> solid_angle;
+  const MirrorParts& parts;
   Pixel centre;             ///< of the mirror in the image
   double near_px{0.0};      ///< from there, to where a ball may touch the own body
   double ball_radius{0.0};  ///< m
 };
 
+/// A blob that its mirror's part cuts has the size and the roundness of the cone through the rest
+/// of its outline. In a further part of the mirror, where the carpet ends is asked of the inner
+/// one.
+///
 /// @pre the blob has pixels
 [[nodiscard]] BallTraits traits_of(const BallBlob& blob, const BallTraitSource& source);
 

@@ -9,6 +9,14 @@ namespace teamsight::vision {
 
 namespace {
 
+constexpr double kKink = 1e-7;  // m; where two points are this near, the tangent jumps
+
+// Between parts of a mirror: the spline ends here and begins anew.
+bool is_at_kink(const std::vector<ProfilePoint>& points, std::size_t i) {
+  const bool before = i > 0 && points[i].x - points[i - 1].x < kKink;
+  return before || (i + 1 < points.size() && points[i + 1].x - points[i].x < kKink);
+}
+
 // Second derivatives at the points: Thomas' algorithm on the tridiagonal system.
 std::vector<double> bends_of(const std::vector<ProfilePoint>& points) {
   const std::size_t n = points.size();
@@ -18,6 +26,7 @@ std::vector<double> bends_of(const std::vector<ProfilePoint>& points) {
     const double h0 = points[i].x - points[i - 1].x;
     const double h1 = points[i + 1].x - points[i].x;
     TEAMSIGHT_EXPECT(h0 > 0.0 && h1 > 0.0);
+    if (is_at_kink(points, i)) continue;
     const double jump =
         6.0 * ((points[i + 1].y - points[i].y) / h1 - (points[i].y - points[i - 1].y) / h0);
     const double pivot = 2.0 * (h0 + h1) - h0 * upper[i - 1];

@@ -12,7 +12,8 @@ namespace teamsight::vision {
 /// The meridian y(x) of a mirror, x from the axis outwards, y from the pinhole; m.
 ///
 /// A natural cubic spline through the given points: the slope decides where a ray goes, so it must
-/// be continuous. At the apex (x = 0) the slope is that of the given points, not forced to 0: a
+/// be continuous. Where two points are less than 0.1 um apart a new part begins and the slope may
+/// jump. At the apex (x = 0) the slope is that of the given points, not forced to 0: a
 /// cone is a mirror too.
 class MirrorProfile {
  public:

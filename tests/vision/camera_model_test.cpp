@@ -119,6 +119,27 @@ TEST(CameraModel, ReflectsLikeACone) {
   EXPECT_NEAR(floor->y, y * tan_alpha + (y + 0.5) * std::tan(psi), 1e-6);
 }
 
+TEST(CameraModel, ReflectsLikeConeAndPlaneRightBesideTheKinkBetweenThem) {
+  constexpr double kSlope = 0.5;
+  CameraParameters camera = profile_camera(kSlope);
+  auto& mirror = std::get<ProfileMirror>(camera.mirror);
+  // A cone up to 20 mm from the axis, then a flat ring.
+  mirror.profile.clear();
+  for (int i = 0; i <= 20; ++i) mirror.profile.push_back({1e-3 * i, 0.19 + kSlope * 1e-3 * i});
+  for (int i = 0; i <= 20; ++i) mirror.profile.push_back({0.02 + 1e-9 + 1e-3 * i, 0.2});
+  const CameraModel model(camera);
+  const double tan_alpha = 39.0 / 400.0;
+  const double y = 0.19 / (1.0 - kSlope * tan_alpha);
+  const double psi = std::atan(tan_alpha) + 2.0 * std::atan(kSlope);
+
+  const auto by_cone = model.on_plane({160.0 + 39.0, 120.0}, 0.0);  // 0.5 mm before the kink
+  const auto by_ring = model.on_plane({160.0 + 41.0, 120.0}, 0.0);  // 0.5 mm beyond
+
+  ASSERT_TRUE(by_cone && by_ring);
+  EXPECT_NEAR(by_cone->x, y * tan_alpha + (y + 0.5) * std::tan(psi), 1e-6);
+  EXPECT_NEAR(by_ring->x, 0.9 * 41.0 / 400.0, 1e-6);
+}
+
 TEST(CameraModel, ProjectsThroughATiltedAndShiftedMirror) {
   CameraParameters camera = profile_camera(0.5);
   auto& mirror = std::get<ProfileMirror>(camera.mirror);
