@@ -86,7 +86,7 @@ class TrustBook {
   static void fade(Pairs& pairs, RobotId robot, double keep);
   [[nodiscard]] Active active_at(HostTime exposure) const;
   void judge_halves(const Active& active, HostTime exposure, const TrustParameters& parameters);
-  void judge_places(const Active& active, HostTime exposure, const TrustParameters& parameters);
+  void judge_places(const Active& all, HostTime exposure, const TrustParameters& parameters);
   void judge_biases(const Active& active, HostTime exposure, const TrustParameters& parameters);
   void keep_carried(const Active& active, HostTime exposure, const TrustParameters& parameters);
   [[nodiscard]] double pair_agreement(std::size_t a,
