@@ -27,11 +27,11 @@ TEST(BallChoice, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
   parameters.ball.death_age = seconds(60);
   Fusion fusion(parameters, test::plain_field());
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 1.0}, see_the_ball);
   const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
 
   const WorldModel unseen = fusion.world_at(at_second(3.0));
-  watch(fusion, eye, kLeftOfBall, 3.0, 3.1, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {3.0, 3.1}, see_the_ball);
   const WorldModel seen_again = fusion.world_at(at_second(3.1));
 
   EXPECT_TRUE(unseen.balls.empty());
@@ -42,12 +42,12 @@ TEST(BallChoice, ListsNoPlaceThatIsTooUncertainButFindsItAgainUnderItsId) {
 TEST(BallChoice, FindsALostBallAgainUnderItsIdWhereverItIs) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 1.0}, see_the_ball);
   const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
 
-  watch(fusion, eye, kLeftOfBall, 1.0, 8.0, [](Eye&) {});
+  watch(fusion, eye, kLeftOfBall, {1.0, 8.0}, [](Eye&) {});
   const WorldModel lost = fusion.world_at(at_second(8.0));
-  watch(fusion, eye, kLeftOfBall, 8.0, 8.3, [](Eye& e) { e.see_ball({-1.0, -1.5}); });
+  watch(fusion, eye, kLeftOfBall, {8.0, 8.3}, [](Eye& e) { e.see_ball({-1.0, -1.5}); });
   const WorldModel found = fusion.world_at(at_second(8.3));
 
   EXPECT_TRUE(lost.balls.empty());
@@ -58,10 +58,10 @@ TEST(BallChoice, FindsALostBallAgainUnderItsIdWhereverItIs) {
 TEST(BallChoice, ABallThatMayBeAnywhereIsTheOneThatIsFoundWithinItsReach) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 1.0}, see_the_ball);
   const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
 
-  watch(fusion, eye, kLeftOfBall, 3.0, 3.3, [](Eye& e) { e.see_ball({0.0, -0.5}); });
+  watch(fusion, eye, kLeftOfBall, {3.0, 3.3}, [](Eye& e) { e.see_ball({0.0, -0.5}); });
   const WorldModel found = fusion.world_at(at_second(3.3));
 
   ASSERT_EQ(found.balls.size(), 1U);
@@ -72,10 +72,10 @@ TEST(BallChoice, ABallThatMayBeAnywhereIsTheOneThatIsFoundWithinItsReach) {
 TEST(BallChoice, ABallSeenBesideAKnownOneIsAnother) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 1.0, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 1.0}, see_the_ball);
   const std::uint32_t track = fusion.world_at(at_second(1.0)).balls.at(0).track;
 
-  watch(fusion, eye, kLeftOfBall, 1.0, 1.5, [](Eye& e) {
+  watch(fusion, eye, kLeftOfBall, {1.0, 1.5}, [](Eye& e) {
     e.see_ball(kBall);
     e.see_ball({-1.0, -1.5});
   });
@@ -90,12 +90,12 @@ TEST(BallChoice, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsTo
   Fusion fusion{Parameters{}, test::plain_field()};
   Eye left(1, 11);
   Eye right(4, 44);
-  watch(fusion, left, kLeftOfBall, 0.0, 2.0, see_the_ball);
+  watch(fusion, left, kLeftOfBall, {0.0, 2.0}, see_the_ball);
   ASSERT_FALSE(fusion.world_at(at_second(2.0)).balls.empty());
   const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls[0].track;
 
   const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
-  watch(fusion, right, far_away, 2.0, 2.4, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+  watch(fusion, right, far_away, {2.0, 2.4}, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
 
   const WorldModel world = fusion.world_at(at_second(2.4));
   ASSERT_EQ(world.balls.size(), 2U);
@@ -111,14 +111,14 @@ TEST(BallChoice, WhatTwoRobotsSeeComesBeforeWhatOneHasSeenAllAlong) {
   const auto see_another = [](Eye& eye) {
     eye.see_ball({7.0, -4.0});
   };
-  watch(fusion, alone, far_away, 0.0, 1.0, see_another);
+  watch(fusion, alone, far_away, {0.0, 1.0}, see_another);
   const std::uint32_t first = fusion.world_at(at_second(1.0)).balls.at(0).track;
 
   for (int i = 0; i < 10; ++i) {
     const double t = 1.0 + 0.1 * i;
-    watch(fusion, alone, far_away, t, t + 0.1, see_another);
-    watch(fusion, left, kLeftOfBall, t, t + 0.1, see_the_ball);
-    watch(fusion, right, kRightOfBall, t, t + 0.1, see_the_ball);
+    watch(fusion, alone, far_away, {t, t + 0.1}, see_another);
+    watch(fusion, left, kLeftOfBall, {t, t + 0.1}, see_the_ball);
+    watch(fusion, right, kRightOfBall, {t, t + 0.1}, see_the_ball);
   }
 
   const WorldModel world = fusion.world_at(at_second(2.0));
@@ -132,11 +132,11 @@ TEST(BallChoice, WhatOneRobotSeesWhereNoKickCanHaveLedComesSecond) {
   Eye left(1, 11);
   Eye right(4, 44);
   // At its foot: a kick that nobody has seen may have led the ball anywhere near.
-  watch(fusion, left, {0.6, 0.5, 0.0}, 0.0, 2.0, see_the_ball);
+  watch(fusion, left, {0.6, 0.5, 0.0}, {0.0, 2.0}, see_the_ball);
   const std::uint32_t ball = fusion.world_at(at_second(2.0)).balls.at(0).track;
 
   const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
-  watch(fusion, right, far_away, 2.0, 2.3, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+  watch(fusion, right, far_away, {2.0, 2.3}, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
 
   const WorldModel world = fusion.world_at(at_second(2.3));
   ASSERT_EQ(world.balls.size(), 2U);
@@ -155,15 +155,17 @@ WorldModel after_a_false_alarm(const Parameters& parameters) {
   };
   const Pose<Field, Robot> far_away(9.0, -5.0, 2.0);
   constexpr double kTurn = 0.1;  // s
-  for (double t = 0.0; t < 1.95; t += kTurn) {
-    watch(fusion, left, kLeftOfBall, t, t + kTurn, see_the_ball);
-    watch(fusion, right, kRightOfBall, t, t + kTurn, see_the_ball);
+  for (int turn = 0; turn < 20; ++turn) {
+    const double t = kTurn * turn;
+    watch(fusion, left, kLeftOfBall, {t, t + kTurn}, see_the_ball);
+    watch(fusion, right, kRightOfBall, {t, t + kTurn}, see_the_ball);
   }
-  for (double t = 2.0; t < 2.95; t += kTurn) {
-    watch(fusion, left, kLeftOfBall, t, t + kTurn, nothing);
-    watch(fusion, right, kRightOfBall, t, t + kTurn, nothing);
-    if (t < 2.65) continue;
-    watch(fusion, far, far_away, t, t + kTurn, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
+  for (int turn = 20; turn < 30; ++turn) {
+    const double t = kTurn * turn;
+    watch(fusion, left, kLeftOfBall, {t, t + kTurn}, nothing);
+    watch(fusion, right, kRightOfBall, {t, t + kTurn}, nothing);
+    if (turn < 27) continue;
+    watch(fusion, far, far_away, {t, t + kTurn}, [](Eye& eye) { eye.see_ball({7.0, -4.0}); });
   }
   return fusion.world_at(at_second(3.0));
 }

@@ -33,8 +33,8 @@ TEST(Fusion, ShowsABallThatTwoRobotsSeeAndWhoTheyAre) {
   Fusion fusion = make_fusion();
   Eye left(1, 11);
   Eye right(4, 44);
-  watch(fusion, left, kLeftOfBall, 0.0, 0.3, see_the_ball);
-  watch(fusion, right, kRightOfBall, 0.3, 0.6, see_the_ball);
+  watch(fusion, left, kLeftOfBall, {0.0, 0.3}, see_the_ball);
+  watch(fusion, right, kRightOfBall, {0.3, 0.6}, see_the_ball);
 
   const WorldModel world = fusion.world_at(at_second(0.61));
 
@@ -50,10 +50,10 @@ TEST(Fusion, ShowsNoBallBeforeItWasSeenThreeTimes) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
 
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.05, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.05}, see_the_ball);
   EXPECT_TRUE(fusion.world_at(at_second(0.1)).balls.empty());
 
-  watch(fusion, eye, kLeftOfBall, 0.1, 0.12, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.1, 0.12}, see_the_ball);
   EXPECT_EQ(fusion.world_at(at_second(0.13)).balls.size(), 1U);
 }
 
@@ -61,8 +61,8 @@ TEST(Fusion, NamesTheRobotThatSeesAnotherBall) {
   Fusion fusion = make_fusion();
   Eye left(1, 11);
   Eye right(4, 44);
-  watch(fusion, left, kLeftOfBall, 0.0, 0.3, see_the_ball);
-  watch(fusion, right, kRightOfBall, 0.3, 0.4, [](Eye& eye) { eye.see_ball({5.0, -4.0}); });
+  watch(fusion, left, kLeftOfBall, {0.0, 0.3}, see_the_ball);
+  watch(fusion, right, kRightOfBall, {0.3, 0.4}, [](Eye& eye) { eye.see_ball({5.0, -4.0}); });
 
   const WorldModel world = fusion.world_at(at_second(0.41));
 
@@ -77,13 +77,13 @@ TEST(Fusion, NamesTheRobotThatSeesAnotherBall) {
 TEST(Fusion, ForgetsABallThatNobodySeesAnyMore) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.3, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.3}, see_the_ball);
   const double sure = fusion.world_at(at_second(0.3)).balls.at(0).existence;
 
   // It looks, sees nothing there, and would have.
-  watch(fusion, eye, kLeftOfBall, 0.3, 0.5, [](Eye&) {});
+  watch(fusion, eye, kLeftOfBall, {0.3, 0.5}, [](Eye&) {});
   const auto doubtful = fusion.world_at(at_second(0.5)).balls;
-  watch(fusion, eye, kLeftOfBall, 0.5, 1.5, [](Eye&) {});
+  watch(fusion, eye, kLeftOfBall, {0.5, 1.5}, [](Eye&) {});
 
   ASSERT_EQ(doubtful.size(), 1U);
   EXPECT_LT(doubtful[0].existence, sure);
@@ -93,7 +93,7 @@ TEST(Fusion, ForgetsABallThatNobodySeesAnyMore) {
 TEST(Fusion, ABallWithoutAnyObserverAgesAndLeaves) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.3, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.3}, see_the_ball);
 
   const WorldBall young = fusion.world_at(at_second(0.4)).balls.at(0);
   const WorldBall old = fusion.world_at(at_second(1.4)).balls.at(0);
@@ -109,8 +109,8 @@ TEST(Fusion, DoesNotMissABallBehindAnObstacle) {
   Fusion open = make_fusion();
   for (Fusion* fusion : {&hidden, &open}) {
     Eye eye(1, 11);
-    watch(*fusion, eye, kLeftOfBall, 0.0, 0.3, see_the_ball);
-    watch(*fusion, eye, kLeftOfBall, 0.3, 0.6, [&](Eye& looking) {
+    watch(*fusion, eye, kLeftOfBall, {0.0, 0.3}, see_the_ball);
+    watch(*fusion, eye, kLeftOfBall, {0.3, 0.6}, [&](Eye& looking) {
       if (fusion == &hidden) looking.see_obstacle({-0.5, 0.25});
     });
   }
@@ -146,7 +146,7 @@ TEST(Fusion, MakesNoObstacleOfATeammate) {
 TEST(Fusion, BelievesNothingFarOffTheCarpet) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, {8.0, 0.0, 0.0}, 0.0, 0.5, [](Eye& looking) {
+  watch(fusion, eye, {8.0, 0.0, 0.0}, {0.0, 0.5}, [](Eye& looking) {
     looking.see_ball({13.5, 0.0});
     looking.see_obstacle({8.0, 9.0});
   });
@@ -160,7 +160,7 @@ TEST(Fusion, BelievesNothingFarOffTheCarpet) {
 TEST(Fusion, ShowsAnAmbiguousTeammateButDoesNotUseWhatItSees) {
   Fusion fusion = make_fusion();
   Eye eye(2, 22);
-  watch(fusion, eye, {0.0, 0.0, 1.0}, 0.0, 0.5, [](Eye& looking) {
+  watch(fusion, eye, {0.0, 0.0, 1.0}, {0.0, 0.5}, [](Eye& looking) {
     looking.frame().posture.status = PostureStatus::kAmbiguous;
     looking.see_ball(kBall);
   });
@@ -179,7 +179,7 @@ TEST(Fusion, ShowsAnAmbiguousTeammateButDoesNotUseWhatItSees) {
 TEST(Fusion, UsesAnAmbiguousTeammateWhoseOwnEvidenceNamesTheHalf) {
   Fusion fusion = make_fusion();
   Eye eye(2, 22);
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.5, [](Eye& looking) {
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.5}, [](Eye& looking) {
     looking.frame().posture.status = PostureStatus::kAmbiguous;
     looking.frame().posture.half_log_odds = 4.0;
     looking.see_ball(kBall);
@@ -191,7 +191,7 @@ TEST(Fusion, UsesAnAmbiguousTeammateWhoseOwnEvidenceNamesTheHalf) {
 TEST(Fusion, ListsATeammateThatWasNeverLocatedAsLost) {
   Fusion fusion = make_fusion();
   Eye eye(2, 22);
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.1, [](Eye& looking) {
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.1}, [](Eye& looking) {
     looking.frame().posture = PostureEstimate{};
   });
 
@@ -279,7 +279,7 @@ TEST(Fusion, LeavesTheOthersUnharmedWhenOneBabblesTenThousandTimesASecond) {
 TEST(Fusion, ExplainsItsTracks) {
   Fusion fusion = make_fusion();
   Eye eye(1, 11);
-  watch(fusion, eye, kLeftOfBall, 0.0, 0.5, see_the_ball);
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.5}, see_the_ball);
 
   const Report report = fusion.report_at(at_second(0.5));
 

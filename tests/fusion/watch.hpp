@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -22,11 +23,20 @@ inline void see_the_ball(Eye& eye) {
   eye.see_ball(kBall);
 }
 
+/// From one instant up to another; s.
+struct Stretch {
+  double from{0.0};
+  double to{0.0};
+};
+
 /// One frame every 33 ms in [from, to); `see` adds what is seen.
 template <class See>
 void watch(
-    Fusion& fusion, Eye& eye, const Pose<Field, Robot>& X_FR, double from, double to, See see) {
-  for (double t = from; t < to; t += 0.033) {
+    Fusion& fusion, Eye& eye, const Pose<Field, Robot>& X_FR, const Stretch& stretch, See see) {
+  constexpr double kPeriod = 0.033;  // s
+  const int frames = static_cast<int>(std::ceil((stretch.to - stretch.from) / kPeriod - 1e-9));
+  for (int i = 0; i < frames; ++i) {
+    const double t = stretch.from + kPeriod * i;
     eye.look(X_FR, at_second(t));
     see(eye);
     EXPECT_EQ(fusion.insert(eye.frame(), at_second(t + 0.01)), Intake::kAccepted);

@@ -9,15 +9,15 @@
 namespace teamsight::network {
 namespace {
 
-constexpr double kLeagueGoal_mbit = 2.0;
-constexpr double kFullRate_hz = 29.0;  // of 30: what a busy computer may delay
+constexpr double kLeagueGoal = 2.0;  // Mbit/s
+constexpr double kFullRate = 29.0;   // Hz, of 30: what a busy computer may delay
 
 bool is_led_by(const Sight& sight, RobotId robot) {
   return sight.maker == robot;
 }
 
 // The share of the time without any model to go by; every behaviour is served, come what may.
-void expect_served(Stage& stage, const Knowledge& worst, double own_rate_hz = kFullRate_hz) {
+void expect_served(Stage& stage, const Knowledge& worst, double own_rate_hz = kFullRate) {
   stage.outcome.expect(worst.served >= 0.99, "every behaviour has a model of at most 300 ms");
   stage.outcome.expect(worst.own_rate_hz >= own_rate_hz, "every own host's model at full rate");
 }
@@ -51,7 +51,7 @@ Outcome calm(const ScenarioOptions& options) {
   expect_served(stage, worst);
   stage.outcome.expect(worst.robots == everybody(team.robots), "all robots in all models");
   stage.outcome.expect(worst.air_share >= 0.99, "nothing is lost");
-  stage.outcome.expect(mbit <= kLeagueGoal_mbit, "five robots need at most 2.0 Mbit/s");
+  stage.outcome.expect(mbit <= kLeagueGoal, "five robots need at most 2.0 Mbit/s");
   stage.report_topics();
   return stage.outcome;
 }

@@ -26,6 +26,7 @@ struct Scenario {
 };
 
 /// For GoogleTest, which would print the bytes, pointers and all.
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's name
 inline void PrintTo(const Scenario& scenario, std::ostream* out) {
   *out << scenario.name;
 }

@@ -49,7 +49,7 @@ class Stage {
   double start();
 
   /// Lets it run and returns the interval.
-  Interval run_for(milliseconds duration) const;
+  [[nodiscard]] Interval run_for(milliseconds duration) const;
 
   /// One line per robot, and what went over the wire since the start or the report before. Returns
   /// the worst of each figure, and of the share over the air the mean of those robots that did not
@@ -73,8 +73,8 @@ class Stage {
 
   double length_;
   std::optional<WireMark> marked_;  // since when the next report tells what went over the wire
-  std::string topic_line(const std::string& topic,
-                         const std::map<WriterGuid, std::string>& topics) const;
+  [[nodiscard]] std::string topic_line(const std::string& topic,
+                                       const std::map<WriterGuid, std::string>& topics) const;
 
   BytesByWriter wire_at_start_;
   BytesByWriter wire_before_;
