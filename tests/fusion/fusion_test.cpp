@@ -125,7 +125,8 @@ TEST(Fusion, MakesNoObstacleOfATeammate) {
   Fusion fusion = make_fusion();
   Eye left(1, 11);
   Eye right(4, 44);
-  for (double t = 0.0; t < 0.5; t += 0.033) {
+  for (int i = 0; i < 16; ++i) {
+    const double t = 0.033 * i;
     right.look(kRightOfBall, at_second(t));
     fusion.insert(right.frame(), at_second(t));
     left.look(kLeftOfBall, at_second(t + 0.01));
