@@ -24,6 +24,32 @@ double own_weight(double own_half, const TrustParameters& parameters) {
   return std::clamp(own_half, 0.5, parameters.most_own);
 }
 
+/// What explains all contradictions best.
+struct Explanation {
+  unsigned robots{0};  ///< bit i: the i-th is elsewhere than it says; 0: nobody is
+  double gain{0.0};    ///< log-odds over nobody being so
+  double lead{0.0};    ///< ... over the next best
+};
+
+/// Tries every set of `count` robots.
+template <class Gain>
+Explanation best_explanation(std::size_t count, const Gain& gain_of) {
+  Explanation best;
+  double second = 0.0;
+  for (unsigned set = 1; set < 1U << count; ++set) {
+    const double gain = gain_of(set);
+    if (gain > best.gain) {
+      second = best.gain;
+      best.gain = gain;
+      best.robots = set;
+    } else {
+      second = std::max(second, gain);
+    }
+  }
+  best.lead = best.gain - second;
+  return best;
+}
+
 }  // namespace
 
 bool TrustBook::is_due(RobotId robot, HostTime exposure, const TrustParameters& parameters) const {
@@ -134,20 +160,10 @@ double TrustBook::gain_of(const Active& active,
 void TrustBook::judge_halves(const Active& active,
                              HostTime exposure,
                              const TrustParameters& parameters) {
-  double best = 0.0;
-  double second = 0.0;
-  unsigned turned = 0;
-  for (unsigned set = 1; set < 1U << active.count; ++set) {
-    const double gain = gain_of(active, set, parameters);
-    if (gain > best) {
-      second = best;
-      best = gain;
-      turned = set;
-    } else {
-      second = std::max(second, gain);
-    }
-  }
-  if (best < parameters.mirror_gain || best - second < parameters.mirror_margin) return;
+  const Explanation best = best_explanation(
+      active.count, [&](unsigned set) { return gain_of(active, set, parameters); });
+  if (best.gain < parameters.mirror_gain || best.lead < parameters.mirror_margin) return;
+  const unsigned turned = best.robots;
   for (std::size_t i = 0; i < active.count; ++i) {
     if ((turned >> i & 1U) == 0 || !is_found_at_mirror(i, active, turned)) continue;
     convict(active.index[i], Quarantine::kMirrored, exposure);
@@ -198,22 +214,11 @@ void TrustBook::judge_places(const Active& all,
     if (page.verdict == Quarantine::kMirrored && page.held == exposure) continue;
     active.index[active.count++] = all.index[i];
   }
-  double best = 0.0;
-  double second = 0.0;
-  unsigned carried = 0;
-  for (unsigned set = 1; set < 1U << active.count; ++set) {
-    const double gain = gain_of_carried(active, set, parameters);
-    if (gain > best) {
-      second = best;
-      best = gain;
-      carried = set;
-    } else {
-      second = std::max(second, gain);
-    }
-  }
-  if (best - second >= parameters.place_margin) {
+  const Explanation best = best_explanation(
+      active.count, [&](unsigned set) { return gain_of_carried(active, set, parameters); });
+  if (best.lead >= parameters.place_margin) {
     for (std::size_t i = 0; i < active.count; ++i) {
-      if ((carried >> i & 1U) == 0) continue;
+      if ((best.robots >> i & 1U) == 0) continue;
       banish(static_cast<RobotId>(active.index[i] + 1), exposure);
     }
   }
