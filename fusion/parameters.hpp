@@ -46,8 +46,9 @@ struct TrackParameters {
   Duration false_life{std::chrono::milliseconds(1500)};
   /// A track less probable than this is not published.
   double least_existence{0.5};
-  /// A track whose place is known worse (larger semi-axis of one sigma, m) is kept, and may be
-  /// found again under its id, but not published: nobody can act on it.
+  /// A ball whose place is known worse (larger semi-axis of one sigma, m) is kept, and may be found
+  /// again under its id, but not published: nobody can act on it. Obstacles go by
+  /// Parameters::obstacle_reach.
   double max_sigma_published{1.0};
   /// Two tracks nearer than this (m) are one thing: the younger is dropped.
   double merge_distance{0.15};
