@@ -149,15 +149,21 @@ double detection_probability(const Eigen::Vector2d& p_F,
                              const Eigen::Vector2d& observer_F,
                              const CandidateList& hiding,
                              const TrackParameters& parameters) {
+  const double distance = (p_F - observer_F).norm();
+  if (distance >= parameters.detection_range || is_behind(p_F, observer_F, hiding)) return 0.0;
+  return parameters.detection_probability * (1.0 - distance / parameters.detection_range);
+}
+
+bool is_behind(const Eigen::Vector2d& p_F,
+               const Eigen::Vector2d& observer_F,
+               const CandidateList& hiding) {
   const Eigen::Vector2d way = p_F - observer_F;
   const double distance = way.norm();
-  if (distance >= parameters.detection_range) return 0.0;
   const double azimuth = std::atan2(way.y(), way.x());
-  for (const Candidate& candidate : hiding) {
+  return std::any_of(hiding.begin(), hiding.end(), [&](const Candidate& candidate) {
     const double aside = std::abs(angle_difference(azimuth, candidate.azimuth));
-    if (candidate.distance < distance && aside < candidate.half_angle) return 0.0;
-  }
-  return parameters.detection_probability * (1.0 - distance / parameters.detection_range);
+    return candidate.distance < distance && aside < candidate.half_angle;
+  });
 }
 
 bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene) {

@@ -147,6 +147,11 @@ struct Scene {
                                            const CandidateList& hiding,
                                            const TrackParameters& parameters);
 
+/// Whether something that a frame shows nearer stands between a place and who looks from there.
+[[nodiscard]] bool is_behind(const Eigen::Vector2d& p_F,
+                             const Eigen::Vector2d& observer_F,
+                             const CandidateList& hiding);
+
 /// Whether something that the frame shows, or that is known to be there, stands between.
 [[nodiscard]] bool is_hidden(const Eigen::Vector2d& p_F, const Scene& scene);
 

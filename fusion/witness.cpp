@@ -74,20 +74,17 @@ double shown(const Claim& claim,
              const Testimony& testimony,
              const ClaimList& claims,
              const Parameters& parameters) {
-  const TrackParameters& track = claim.is_ball ? parameters.ball : parameters.obstacle;
   if (claim.is_ball) {
-    return detection_probability(claim.p_F, testimony.observer_F, testimony.obstacles, track);
+    return detection_probability(
+        claim.p_F, testimony.observer_F, testimony.obstacles, parameters.ball);
   }
   const double distance = (claim.p_F - testimony.observer_F).norm();
   const double probability = usual_probability(testimony.eyes, distance, parameters);
   if (probability == 0.0) return 0.0;
-  TrackParameters sure = track;
-  sure.detection_probability = 1.0;
-  sure.detection_range = 1e9;
-  const bool is_open =
-      detection_probability(claim.p_F, testimony.observer_F, testimony.obstacles, sure) > 0.0 &&
-      !is_behind_claims(claim, claims, testimony.observer_F, parameters.robot_radius);
-  return is_open ? probability : 0.0;
+  const bool is_hidden =
+      is_behind(claim.p_F, testimony.observer_F, testimony.obstacles) ||
+      is_behind_claims(claim, claims, testimony.observer_F, parameters.robot_radius);
+  return is_hidden ? 0.0 : probability;
 }
 
 /// Log-odds that the robot stands there rather than anywhere, by one claim.
