@@ -86,8 +86,11 @@ struct TeammateParameters {
   double sigma_body{0.05};
   /// Nothing but the robot itself can be seen so near to its posture; m.
   double body_reach{0.55};
+  /// Other bodies per m^2 where robots crowd, that may be taken for a teammate that they hide.
+  double other_density{0.3};
   /// How long a posture's error lasts while the robot's own covariance stays; see TeamErrors.
   Duration posture_memory{std::chrono::seconds(1)};
+  Duration bias_memory{std::chrono::seconds(8)};  ///< ... while it is found to be biased
   /// Over how long it is measured how much of a posture's error is new; see PostureJitter.
   Duration jitter_memory{std::chrono::seconds(2)};
   double sigma_scale{0.02};  ///< share by which a robot sees things too far away
@@ -114,8 +117,10 @@ struct TrustParameters {
   double mirror_gain{10.0};   ///< log-odds that a half must gain to be called wrong
   double mirror_margin{2.5};  ///< ... and lead over the next best explanation
   double most_own{4.0};       ///< of a robot's own log-odds of its half, however convinced it is
-  double biased{16.0};        ///< squared normalised offset of a posture, smoothed
-  double biased_ratio{4.0};   ///< ... over the median of the others
+  double sigma_bias{0.5};     ///< m per axis: how far aside a biased posture may stand
+  double least_bias{0.2};     ///< m: what stands aside by less is not called biased
+  double bias_margin{5.0};    ///< log-odds by which the best explanation leads over the next
+  double biased{16.0};        ///< squared normalised offset of a posture that halves its trust
   Duration hold{std::chrono::milliseconds(700)};  ///< a quarantine lasts at least
   double jump{0.5};                               ///< m: a posture that jumps so far is held
 };

@@ -177,6 +177,22 @@ double body_cost(const TeamErrors::Residual& residual,
   return kForbidden;
 }
 
+/// Tells the book of biases how far from where it says the teammate was seen.
+void note_gap(AsideBook& book,
+              const Candidate& seen,
+              const Body& body,
+              const Glance& glance,
+              const Parameters& parameters) {
+  const double aside = parameters.teammate.sigma_body;
+  MateSighting sighting;
+  sighting.observer = glance.robot;
+  sighting.watched = body.robot;
+  sighting.exposure = glance.exposure;
+  sighting.gap = seen.measurement.p_F - body.p_F;
+  sighting.cov = seen.measurement.cov_F + body.cov + aside * aside * Eigen::Matrix2d::Identity();
+  book.take(sighting, parameters);
+}
+
 Glance glance_of(const Observation& observation) {
   return {
       observation.id.robot, observation.exposure, observation.sigma_exposure, observation.posture};
@@ -228,10 +244,12 @@ void learn_from_teammates(State& state,
     const Teammate& teammate = state.teammates[static_cast<std::size_t>(mates.mate_of[row])];
     const auto body = body_of(teammate, glance.robot, glance.exposure, state, parameters);
     if (!body || body->is_turned) continue;
+    note_gap(state.aside, candidates[row], *body, glance, parameters);
     TeamErrors::Residual residual = residual_of(candidates[row], *body, glance, state, parameters);
     TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
     const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
-    residual.cov *= tail_factor(squared, 2);
+    const double other = parameters.teammate.other_density;
+    residual.cov *= tail_factor(squared, 2) * (1.0 + other / tail_density(squared, lesson.inverse));
     lesson = state.errors.lesson_of(residual);
     for (BallTrack& ball : state.balls) {
       for (BallBelief& belief : ball.beliefs) belief.state.learn(lesson);

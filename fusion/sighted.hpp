@@ -33,7 +33,8 @@ struct MateSightings {
                                            const Observation& observation,
                                            const Parameters& parameters);
 
-/// Learns of both robots' errors from each sighting of a teammate.
+/// Learns of both robots' errors from each sighting of a teammate, the less the likelier it is that
+/// another body stands there and the teammate is hidden.
 void learn_from_teammates(State& state,
                           const CandidateList& candidates,
                           const MateSightings& mates,

@@ -37,21 +37,28 @@ void note_step(State& state, RobotId robot, PostureStep step, HostTime exposure)
     case PostureStep::kSmallJump:
       return;
     case PostureStep::kTurnedOver:
+      state.aside.forget(robot);
       return state.trust.turn_over(robot);
     case PostureStep::kJump:
+      state.aside.forget(robot);
       state.trust.forget(robot);
       return state.trust.hold(robot, exposure);
     case PostureStep::kNewProcess:
+      state.aside.forget(robot);
       return state.trust.forget(robot);
   }
 }
 
 /// Carries the robot's errors on, and whatever is correlated with them.
-void note_errors(State& state, const Observation& observation, PostureStep step) {
+void note_errors(State& state,
+                 const Observation& observation,
+                 PostureStep step,
+                 const Setting& setting) {
   if (observation.posture.status == PostureStatus::kLost) return;
   const RobotId robot = observation.id.robot;
+  const double sigma_bias = state.aside.is_aside(robot) ? setting.parameters.trust.sigma_bias : 0.0;
   const ErrorMatrix keep = state.errors.report(
-      robot, observation.posture, observation.exposure, step != PostureStep::kSteady);
+      robot, observation.posture, observation.exposure, {step != PostureStep::kSteady, sigma_bias});
   const ErrorPlace place = state.errors.place_of(robot);
   for (BallTrack& ball : state.balls) {
     for (BallBelief& belief : ball.beliefs) belief.state.follow(place, keep);
@@ -104,6 +111,10 @@ void gather_evidence(State& state,
     state.trust.add(robot, pair, parameters);
   }
   state.trust.judge(observation.exposure, parameters);
+  state.aside.judge(observation.exposure, parameters);
+  for (const Teammate& mate : state.teammates) {
+    if (state.aside.is_aside(mate.robot)) state.trust.set_aside(mate.robot, observation.exposure);
+  }
   if (is_off_carpet(observation.posture, setting)) {
     state.trust.banish(robot, observation.exposure);
   }
@@ -181,6 +192,16 @@ void weigh_newcomers(UnseenMap& unseen,
   unseen.watch(scene, carpet, parameters.obstacle);
 }
 
+void learn_bias(State& state,
+                const Observation& observation,
+                const Sighted& sighted,
+                const Parameters& parameters) {
+  const Glance glance{
+      observation.id.robot, observation.exposure, observation.sigma_exposure, observation.posture};
+  const MateSightings mates = find_teammates(sighted.obstacles, state, observation, parameters);
+  learn_from_teammates(state, sighted.obstacles, mates, glance, parameters);
+}
+
 /// Takes what the frame shows into teammates' errors and the tracks.
 ///
 /// @return how many balls and obstacles were used
@@ -228,14 +249,17 @@ void advance(State& state, const Observation& observation, const Setting& settin
                              observation.exposure};
   const PostureStep step = take_frame(observer, observation.id, report, parameters);
   note_step(state, observation.id.robot, step, observation.exposure);
-  note_errors(state, observation, step);
+  note_errors(state, observation, step, setting);
   if (sees_ball(observation, parameters)) observer.ball_seen = observation.exposure;
   const bool has_posture =
       quarantine_of(observer, observation.exposure, parameters.teammate) == Quarantine::kNone;
   const Sighted sighted = has_posture ? sighted_in(observation, state.errors, setting) : Sighted{};
   if (has_posture) gather_evidence(state, observation, sighted, setting);
   take_back_words(state, observation.exposure, parameters);
-  if (quarantine_at(state, observer, observation.exposure, parameters) != Quarantine::kNone) {
+  const Quarantine reason = quarantine_at(state, observer, observation.exposure, parameters);
+  if (reason != Quarantine::kNone) {
+    // How far aside it stands is learned from what it sees of the others, and nothing else.
+    if (reason == Quarantine::kBiased) learn_bias(state, observation, sighted, parameters);
     ++observer.rejected_posture;
     return;
   }

@@ -1,6 +1,7 @@
 // fusion/state.hpp: everything fusion believes at one moment, and how one observation changes it.
 #pragma once
 
+#include "fusion/aside.hpp"
 #include "fusion/ball_hint.hpp"
 #include "fusion/ball_identity.hpp"
 #include "fusion/ball_track.hpp"
@@ -25,6 +26,7 @@ struct State {
   UnseenMap unseen;                             ///< obstacles that are in no track
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
   TeamErrors errors;
+  AsideBook aside;
   TrustBook trust;
 };
 

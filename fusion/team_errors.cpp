@@ -30,6 +30,12 @@ Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
          axes.eigenvectors().transpose();
 }
 
+/// With a bias of unknown direction beside it.
+Eigen::Matrix3d with_bias(const Eigen::Matrix3d& cov, double sigma_bias) {
+  const double var = sigma_bias * sigma_bias;
+  return cov + Eigen::Matrix3d(Eigen::Vector3d(var, var, 0.0).asDiagonal());
+}
+
 /// A step of a posture that only counts its wheels.
 struct DeadReckoning {
   Eigen::Matrix3d keep{Eigen::Matrix3d::Identity()};  // by how much errors before are errors after
@@ -81,6 +87,7 @@ void TeamErrors::restart(ErrorPlace place, const Eigen::Matrix3d& cov_posture) {
 ErrorMatrix TeamErrors::carry(ErrorPlace place,
                               const PostureEstimate& posture,
                               const PostureJitter& jitter,
+                              double sigma_bias,
                               double dt) {
   const int at = kErrorSize * place;
   const Known& known = known_[static_cast<std::size_t>(place)];
@@ -94,8 +101,8 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place,
     keep.topLeftCorner<3, 3>() = step.keep;
     drift.head<2>() = step.drift - step.keep.topRightCorner<2, 1>() * mean(2);
   } else {
-    const double share =
-        std::exp(-dt / to_seconds(parameters_.posture_memory)) * std::sqrt(std::min(1.0, growth));
+    const Duration memory = sigma_bias > 0.0 ? parameters_.bias_memory : parameters_.posture_memory;
+    const double share = std::exp(-dt / to_seconds(memory)) * std::sqrt(std::min(1.0, growth));
     keep.topLeftCorner<3, 3>() = share * Eigen::Matrix3d::Identity();
   }
   // What turns out to be drawn anew each time was no error that lasts.
@@ -106,9 +113,9 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place,
   keep(3, 3) = std::exp(-dt / to_seconds(parameters_.scale_memory));
   const auto keep_posture = keep.topLeftCorner<3, 3>();
   const Eigen::Matrix3d news =
-
-      positive_part(jitter.lasting(posture.cov) -
-                    keep_posture * known.jitter.lasting(said.cov) * keep_posture.transpose());
+      positive_part(with_bias(jitter.lasting(posture.cov), sigma_bias) -
+                    keep_posture * with_bias(known.jitter.lasting(said.cov), known.sigma_bias) *
+                        keep_posture.transpose());
   mean = (keep * mean + drift).eval();
   cov_.middleRows<kErrorSize>(at) = (keep * cov_.middleRows<kErrorSize>(at)).eval();
   cov_.middleCols<kErrorSize>(at) = (cov_.middleCols<kErrorSize>(at) * keep.transpose()).eval();
@@ -121,7 +128,7 @@ ErrorMatrix TeamErrors::carry(ErrorPlace place,
 ErrorMatrix TeamErrors::report(RobotId robot,
                                const PostureEstimate& posture,
                                HostTime exposure,
-                               bool is_new) {
+                               const PostureNews& news) {
   ErrorPlace place = place_of(robot);
   const bool is_unknown = place == kNoPlace;
   if (is_unknown) place = make_place(robot, exposure);
@@ -129,19 +136,21 @@ ErrorMatrix TeamErrors::report(RobotId robot,
   if (place == kNoPlace) return keep;
   Known& known = known_[static_cast<std::size_t>(place)];
   if (is_unknown) known = Known{};  // whoever had the place shook in a way of its own
-  if (is_unknown || is_new) {
+  if (is_unknown || news.is_new) {
     known.jitter.interrupt();
     known.jitter.take(posture.X_FR, posture.cov, exposure, parameters_);
-    restart(place, known.jitter.lasting(posture.cov));
+    restart(place, with_bias(known.jitter.lasting(posture.cov), news.sigma_bias));
   } else {
     PostureJitter jitter = known.jitter;
     jitter.take(posture.X_FR, posture.cov, exposure, parameters_);
-    keep = carry(place, posture, jitter, std::max(0.0, to_seconds(exposure - known.seen)));
+    const double dt = std::max(0.0, to_seconds(exposure - known.seen));
+    keep = carry(place, posture, jitter, news.sigma_bias, dt);
     known.jitter = jitter;
   }
   known.robot = robot;
   known.seen = std::max(known.seen, exposure);
   known.said = posture;
+  known.sigma_bias = news.sigma_bias;
   return keep;
 }
 

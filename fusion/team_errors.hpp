@@ -29,6 +29,14 @@ using AllErrorsMatrix = Eigen::Matrix<double, kAllErrors, kAllErrors>;
 using ErrorPlace = int;
 inline constexpr ErrorPlace kNoPlace = -1;
 
+/// What is known of a posture otherwise than from its robot.
+struct PostureNews {
+  bool is_new{
+      false};  ///< it jumped, or another process speaks: what was known of its error is void
+  /// m per axis: it is found to stand aside by about so much, beside what it says. 0: it is not.
+  double sigma_bias{0.0};
+};
+
 /// The errors of all robots as one Gaussian. While the covariance that a robot says grows, it only
 /// counts its wheels: the error is carried along. Else its error fades over `posture_memory`, and
 /// as much as the said covariance shrinks, and is renewed so that its covariance is what the robot
@@ -40,10 +48,12 @@ class TeamErrors {
 
   /// Takes a robot's next posture and its covariance into account.
   ///
-  /// @param is_new  the posture jumped, or another process speaks: what was known of it is void
   /// @return what became of its errors: e' = result * e + news. Whoever is correlated with them
   ///         follows (Considered::follow)
-  ErrorMatrix report(RobotId robot, const PostureEstimate& posture, HostTime exposure, bool is_new);
+  ErrorMatrix report(RobotId robot,
+                     const PostureEstimate& posture,
+                     HostTime exposure,
+                     const PostureNews& news);
 
   /// @return kNoPlace for a robot that is not remembered
   [[nodiscard]] ErrorPlace place_of(RobotId robot) const;
@@ -93,6 +103,7 @@ class TeamErrors {
     HostTime seen{};
     PostureEstimate said;
     PostureJitter jitter;
+    double sigma_bias{0.0};  ///< m per axis
   };
 
   [[nodiscard]] ErrorPlace make_place(RobotId robot, HostTime exposure);
@@ -100,6 +111,7 @@ class TeamErrors {
   ErrorMatrix carry(ErrorPlace place,
                     const PostureEstimate& posture,
                     const PostureJitter& jitter,
+                    double sigma_bias,
                     double dt);
 
   TeammateParameters parameters_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
@@ -12,6 +13,9 @@ namespace teamsight::fusion {
 namespace {
 
 using PlaceView = ConsideredView<4, 2>;
+
+// Errors are taken for Student's t around a Gaussian track, with so many degrees of freedom.
+constexpr double kFreedom = 5.0;
 
 PlanarMotion motion_of(const TrackParameters& parameters) {
   return {parameters.acceleration_psd, parameters.velocity_decay};
@@ -124,9 +128,12 @@ class ObstacleKind {
 }  // namespace
 
 double tail_factor(double squared_distance, int degrees) {
-  // Of Student's t with 5 degrees of freedom around a Gaussian track.
-  constexpr double kFreedom = 5.0;
   return std::max(1.0, (kFreedom + squared_distance) / (kFreedom + degrees));
+}
+
+double tail_density(double squared_distance, const Eigen::Matrix2d& inverse_cov) {
+  return std::pow(1.0 + squared_distance / kFreedom, -0.5 * (kFreedom + 2.0)) *
+         std::sqrt(inverse_cov.determinant()) / (2.0 * std::numbers::pi);
 }
 
 std::uint32_t take_in(TrackList& tracks,

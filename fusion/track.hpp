@@ -35,4 +35,9 @@ std::uint32_t take_in(TrackList& tracks,
 /// @param squared_distance  Mahalanobis, under the covariance of the gap
 [[nodiscard]] double tail_factor(double squared_distance, int degrees);
 
+/// Density of an observation of two coordinates that lies so far outside, with tails like that.
+///
+/// @param inverse_cov  of the gap's covariance
+[[nodiscard]] double tail_density(double squared_distance, const Eigen::Matrix2d& inverse_cov);
+
 }  // namespace teamsight::fusion

@@ -129,6 +129,14 @@ void TrustBook::banish(RobotId robot, HostTime exposure) {
   convict(index_of(robot), Quarantine::kKidnapped, exposure);
 }
 
+void TrustBook::set_aside(RobotId robot, HostTime exposure) {
+  const TrustPage& page = pages_[index_of(robot)];
+  const bool is_worse =
+      page.verdict == Quarantine::kMirrored || page.verdict == Quarantine::kKidnapped;
+  if (is_worse && page.held == exposure) return;
+  convict(index_of(robot), Quarantine::kBiased, exposure);
+}
+
 void TrustBook::convict(std::size_t index, Quarantine verdict, HostTime exposure) {
   pages_[index].verdict = verdict;
   pages_[index].held = exposure;
@@ -241,29 +249,8 @@ void TrustBook::keep_carried(const Active& active,
   }
 }
 
-void TrustBook::judge_biases(const Active& active,
-                             HostTime exposure,
-                             const TrustParameters& parameters) {
-  if (active.count < 3) return;
-  for (std::size_t i = 0; i < active.count; ++i) {
-    const double bias = pages_[active.index[i]].bias;
-    if (bias < parameters.biased) continue;
-    std::array<double, kMaxRobotId> others{};
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < active.count; ++j) {
-      if (j != i) others[count++] = pages_[active.index[j]].bias;
-    }
-    const auto middle = others.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(others.begin(), middle, others.begin() + static_cast<std::ptrdiff_t>(count));
-    if (bias > parameters.biased_ratio * std::max(1.0, *middle)) {
-      convict(active.index[i], Quarantine::kBiased, exposure);
-    }
-  }
-}
-
 void TrustBook::judge(HostTime exposure, const TrustParameters& parameters) {
   const Active active = active_at(exposure);
-  judge_biases(active, exposure, parameters);
   judge_halves(active, exposure, parameters);
   judge_places(active, exposure, parameters);
 }

@@ -61,6 +61,9 @@ class TrustBook {
   /// It says that it stands where no robot can: it is not believed until others agree with it.
   void banish(RobotId robot, HostTime exposure);
 
+  /// Its posture was found to be biased (fusion/aside.hpp); not if it is worse than that.
+  void set_aside(RobotId robot, HostTime exposure);
+
   /// Finds who is not to be believed, from all evidence.
   void judge(HostTime exposure, const TrustParameters& parameters);
 
@@ -87,7 +90,6 @@ class TrustBook {
   [[nodiscard]] Active active_at(HostTime exposure) const;
   void judge_halves(const Active& active, HostTime exposure, const TrustParameters& parameters);
   void judge_places(const Active& all, HostTime exposure, const TrustParameters& parameters);
-  void judge_biases(const Active& active, HostTime exposure, const TrustParameters& parameters);
   void keep_carried(const Active& active, HostTime exposure, const TrustParameters& parameters);
   [[nodiscard]] double pair_agreement(std::size_t a,
                                       std::size_t b,

@@ -56,7 +56,9 @@ void fill_posture(const State& state,
   teammate.v_FR = carried.v_FR;
   teammate.cov = carried.cov;
   const ErrorPlace place = state.errors.place_of(known.robot);
-  if (place == kNoPlace || teammate.quarantine != Quarantine::kNone) return;
+  const bool is_known =
+      teammate.quarantine == Quarantine::kNone || teammate.quarantine == Quarantine::kBiased;
+  if (place == kNoPlace || !is_known) return;
   const Eigen::Vector3d error = state.errors.mean(place).head<3>();
   const Eigen::Vector3d corrected = carried.X_FR.vector() - error;
   teammate.X_FR = {corrected.x(), corrected.y(), corrected.z()};

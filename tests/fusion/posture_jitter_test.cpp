@@ -137,13 +137,14 @@ TEST(PostureJitter, OfARobotThatTakesAForgottenOnesPlaceIsNotKnown) {
   for (int frame = 0; frame < 60; ++frame) {
     for (int robot = 1; robot <= kMaxErrorRobots; ++robot) {
       posture.X_FR = {normal(random, kSigmaPlace), normal(random, kSigmaPlace), 0.0};
-      errors.report(static_cast<RobotId>(robot), posture, at_second(kFrame * frame), frame == 0);
+      errors.report(
+          static_cast<RobotId>(robot), posture, at_second(kFrame * frame), {frame == 0, 0.0});
     }
   }
   ASSERT_GT(errors.fresh(0, posture)(0, 0), 0.0);
 
   const auto ninth = static_cast<RobotId>(kMaxErrorRobots + 1);
-  errors.report(ninth, posture, at_second(60.0), true);
+  errors.report(ninth, posture, at_second(60.0), {true, 0.0});
 
   ASSERT_NE(errors.place_of(ninth), kNoPlace);
   EXPECT_EQ(errors.fresh(errors.place_of(ninth), posture)(0, 0), 0.0);

@@ -194,20 +194,24 @@ TEST(Trust, DoesNotBelieveWhoSaysThatItStandsBeyondTheCarpet) {
   EXPECT_EQ(verdict_at(2.0), Quarantine::kKidnapped);
 }
 
-TEST(Trust, NamesTheOneWhosePostureTheOthersSeeAside) {
+TEST(Trust, TrustsWhoIsSeenAsideLess) {
   TrustBook book;
-  for (int i = 0; i < 20; ++i) {
-    const HostTime now = at_second(0.2 * i);
-    for (RobotId robot = 1; robot <= kTeam; ++robot) {
-      book.begin_look(robot, now, kParameters);
-      book.note(robot, now, kSure, robot == 2 ? 100.0 : 1.0);
-      book.judge(now, kParameters);
-    }
-  }
+  for (int i = 0; i < 20; ++i) book.note(2, at_second(0.2 * i), kSure, i < 10 ? 1.0 : 100.0);
 
-  EXPECT_EQ(book.verdict(2, at_second(3.8), kParameters), Quarantine::kBiased);
-  EXPECT_EQ(book.trust(2, at_second(3.8), kParameters), 0.0);
-  EXPECT_EQ(book.verdict(1, at_second(3.8), kParameters), Quarantine::kNone);
+  EXPECT_NEAR(book.trust(2, at_second(3.8), kParameters), 0.5, 0.01);
+  EXPECT_EQ(book.verdict(2, at_second(3.8), kParameters), Quarantine::kNone);
+}
+
+TEST(Trust, HoldsWhoStandsAsideUnlessItIsWorse) {
+  TrustBook book;
+  book.set_aside(2, at_second(1.0));
+  book.banish(3, at_second(1.0));
+  book.set_aside(3, at_second(1.0));
+
+  EXPECT_EQ(book.verdict(2, at_second(1.5), kParameters), Quarantine::kBiased);
+  EXPECT_EQ(book.trust(2, at_second(1.5), kParameters), 0.0);
+  EXPECT_EQ(book.verdict(2, at_second(2.0), kParameters), Quarantine::kNone);
+  EXPECT_EQ(book.verdict(3, at_second(1.5), kParameters), Quarantine::kKidnapped);
 }
 
 /// A ball that robots 1 and 2 have seen, each ten times in `until` seconds.
