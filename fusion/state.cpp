@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "fusion/assignment.hpp"
+#include "fusion/elsewhere.hpp"
 #include "fusion/sight.hpp"
 #include "fusion/sighted.hpp"
 #include "fusion/witness.hpp"
@@ -110,6 +111,10 @@ void gather_evidence(State& state,
   for (const PairEvidence& pair : weigh(testimony, claims, centre_F, setting.parameters)) {
     state.trust.add(robot, pair, parameters);
   }
+  state.trust.note_elsewhere(robot,
+                             observation.exposure,
+                             log_odds_elsewhere(testimony, claims, centre_F, parameters),
+                             parameters);
   state.trust.judge(observation.exposure, parameters);
   state.aside.judge(observation.exposure, parameters);
   for (const Teammate& mate : state.teammates) {

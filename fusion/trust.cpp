@@ -63,6 +63,16 @@ void TrustBook::note(RobotId robot, HostTime exposure, double own_half, double o
   page.bias += kSmoothing * (std::min(offset, 200.0) - page.bias);
 }
 
+void TrustBook::note_elsewhere(RobotId robot,
+                               HostTime exposure,
+                               double log_odds,
+                               const TrustParameters& parameters) {
+  TrustPage& page = pages_[index_of(robot)];
+  const bool is_found = log_odds >= parameters.in_place + parameters.place_margin;
+  page.elsewhere = is_found ? page.elsewhere + 1 : 0;
+  if (page.elsewhere >= 2) banish(robot, exposure);
+}
+
 void TrustBook::begin_look(RobotId robot, HostTime exposure, const TrustParameters& parameters) {
   TrustPage& page = pages_[index_of(robot)];
   if (page.looked != kNever) {

@@ -25,6 +25,7 @@ struct TrustPage {
   Quarantine verdict{Quarantine::kNone};
   double own_half{0.0};  ///< its own log-odds
   double bias{0.0};      ///< squared normalised offset of its posture, smoothed
+  int elsewhere{0};      ///< looks in a row that were explained by another posture
   /// It was found to stand elsewhere than it says. That does not mend by itself: it lasts until
   /// others agree with it, or until its posture jumps.
   bool is_carried{false};
@@ -43,6 +44,13 @@ class TrustBook {
   ///
   /// @param offset  squared, normalised
   void note(RobotId robot, HostTime exposure, double own_half, double offset);
+
+  /// Notes log-odds that another posture explains what its frame shows. Who is found elsewhere in
+  /// one look after the other is not believed until others agree with it.
+  void note_elsewhere(RobotId robot,
+                      HostTime exposure,
+                      double log_odds,
+                      const TrustParameters& parameters);
 
   /// Begins a look at a robot's frame: older evidence about it fades.
   void begin_look(RobotId robot, HostTime exposure, const TrustParameters& parameters);

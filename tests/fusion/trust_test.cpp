@@ -214,6 +214,19 @@ TEST(Trust, HoldsWhoStandsAsideUnlessItIsWorse) {
   EXPECT_EQ(book.verdict(3, at_second(1.5), kParameters), Quarantine::kKidnapped);
 }
 
+TEST(Trust, BanishesWhoIsFoundElsewhereInTwoLooksInARow) {
+  TrustBook book;
+  book.note_elsewhere(2, at_second(0.0), 9.0, kParameters);
+  book.note_elsewhere(3, at_second(0.0), 9.0, kParameters);
+  book.note_elsewhere(3, at_second(0.2), 1.0, kParameters);
+  book.note_elsewhere(3, at_second(0.4), 9.0, kParameters);
+  EXPECT_EQ(book.verdict(2, at_second(0.2), kParameters), Quarantine::kNone);
+  book.note_elsewhere(2, at_second(0.2), 9.0, kParameters);
+
+  EXPECT_EQ(book.verdict(2, at_second(0.4), kParameters), Quarantine::kKidnapped);
+  EXPECT_EQ(book.verdict(3, at_second(0.4), kParameters), Quarantine::kNone);
+}
+
 /// A ball that robots 1 and 2 have seen, each ten times in `until` seconds.
 TrackBook seen_by_two(double until, const TrackParameters& parameters) {
   TrackBook book = first_page(7, {1, at_second(0.0), 0.9}, parameters);
