@@ -1,5 +1,6 @@
 // tools/score_fuse_command.cpp: see tools/score_command.hpp.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/camera_play/camera_eyes.hpp"
+#include "bench/fuse_score/claims.hpp"
 #include "bench/fuse_score/run.hpp"
 #include "process/program.hpp"
 #include "settings/load.hpp"
@@ -47,6 +49,7 @@ constexpr double kCameraRate = 10.0;  // Hz, if nobody says another
 struct Game {
   score::Tally fused;
   score::Tally without_bad;
+  score::ClaimTally claims;
   std::vector<score::Scored> balls;
   std::vector<score::Scored> obstacles;
   double worst_clock{0.0};  ///< s
@@ -63,6 +66,7 @@ ordered_json ball_json(const score::BallTally& ball) {
   json["ratio"] = bound > 0.0 ? ordered_json(rounded(ball.position.rms() / bound)) : nullptr;
   json["median_m"] = rounded(ball.position.quantile(0.5));
   json["p95_m"] = rounded(ball.position.quantile(0.95));
+  json["ticks"] = ball.position.count();
   json["velocity_rmse_mps"] = rounded(ball.velocity.rms());
   json["velocity_bound_mps"] = bound_v > 0.0 ? ordered_json(rounded(bound_v)) : nullptr;
   json["velocity_median_mps"] = rounded(ball.velocity.quantile(0.5));
@@ -116,6 +120,28 @@ ordered_json trust_json(const score::TrustTally& trust) {
   return json;
 }
 
+ordered_json shares_json(const std::array<score::MeanTally, 3>& rings) {
+  ordered_json json = ordered_json::array();
+  for (const score::MeanTally& ring : rings) json.push_back(rounded(ring.mean()));
+  return json;
+}
+
+ordered_json claims_json(const score::ClaimTally& claims) {
+  ordered_json json;
+  json["posture"]["rmse_m"] = rounded(claims.posture.rms());
+  json["posture"]["p95_m"] = rounded(claims.posture.quantile(0.95));
+  json["posture"]["nees"] = rounded(claims.posture_nees.mean());
+  json["ball"]["nees_direction"] = rounded(claims.ray_nees.mean());
+  json["ball"]["nees_angular_radius"] = rounded(claims.radius_nees.mean());
+  json["ball"]["shown_share_3_6_9_m"] = shares_json(claims.balls_shown);
+  json["ball"]["false_per_frame"] = rounded(claims.false_balls.mean());
+  json["obstacles"]["rmse_m"] = rounded(claims.obstacle.rms());
+  json["obstacles"]["nees"] = rounded(claims.obstacle_nees.mean());
+  json["obstacles"]["shown_share_3_6_9_m"] = shares_json(claims.players_shown);
+  json["obstacles"]["false_per_frame"] = rounded(claims.false_obstacles.mean());
+  return json;
+}
+
 ordered_json fusion_json(const score::Tally& tally) {
   ordered_json json;
   json["ball"] = ball_json(tally.ball);
@@ -164,6 +190,7 @@ Game score_game(const play::Scenario& scenario,
   Game game;
   game.fused = score::run_fusion(log, ticks, false);
   if (!scenario.faults.empty()) game.without_bad = score::run_fusion(log, ticks, true);
+  game.claims = score::count_claims(log);
   game.worst_clock = log.worst_clock_error;
   if (options.no_peers) return game;
   game.balls = score::run_ball_rules(log, ticks);
@@ -196,6 +223,7 @@ Game merged(const std::vector<Game>& games) {
   for (const Game& game : games) {
     all.fused.merge(game.fused);
     all.without_bad.merge(game.without_bad);
+    all.claims.merge(game.claims);
     all.worst_clock = std::max(all.worst_clock, game.worst_clock);
     merge(all.balls, game.balls);
     merge(all.obstacles, game.obstacles);
@@ -212,6 +240,7 @@ void score_scenario(const play::Scenario& scenario,
   own["rate_hz"] = scenario.perception.rate;
   if (scenario.clocks.is_unknown) own["worst_clock_error_ms"] = rounded(1e3 * all.worst_clock);
   print(scenario.name, "teamsight", own);
+  print(scenario.name, "single-frames", claims_json(all.claims));
   if (!scenario.faults.empty()) {
     print(scenario.name, "teamsight-without-the-bad", fusion_json(all.without_bad));
   }
