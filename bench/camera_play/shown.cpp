@@ -44,7 +44,7 @@ void tell_shown(const play::Moment& moment,
     const bool is_shown = std::ranges::any_of(
         frame.observation.obstacles,
         [&](const ObstacleSighting& obstacle) { return is_at(obstacle, p_R, robot_radius); });
-    if (is_shown) frame.seen_players |= 1U << i;
+    if (is_shown) frame.seen_players |= std::uint64_t{1} << i;
   }
 }
 

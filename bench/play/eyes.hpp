@@ -14,7 +14,7 @@ namespace teamsight::play {
 struct Frame {
   double exposure{0.0};             ///< s, true
   std::uint32_t seen_balls{0};      ///< which true balls it shows, a bit each
-  std::uint32_t seen_players{0};    ///< which true players it shows, a bit each
+  std::uint64_t seen_players{0};    ///< which true players it shows, a bit each
   fusion::Observation observation;  ///< exposure not filled in
 };
 
