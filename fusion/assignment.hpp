@@ -1,16 +1,19 @@
 // fusion/assignment.hpp: who belongs to whom, at the least total cost.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 
 #include <Eigen/Core>
 
+#include "geometry/identity.hpp"
+
 namespace teamsight::fusion {
 
 inline constexpr int kMaxAssignmentRows = 16;
-inline constexpr int kMaxAssignmentColumns = 24;
+inline constexpr int kMaxAssignmentColumns = std::max(24, int{kMaxRobotId});
 
 /// The cost of a pair that must never be made.
 inline constexpr double kForbidden = std::numeric_limits<double>::infinity();

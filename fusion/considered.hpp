@@ -38,12 +38,13 @@ struct Considered {
 
   /// The errors were learned of: what correlates with them moves along.
   void learn(const TeamErrors::Lesson& lesson) {
-    const Eigen::Matrix<double, N, 2> with = cross * lesson.slope.transpose();
+    // Lazy products: so narrow that preparing a large one would take longer than the product.
+    const Eigen::Matrix<double, N, 2> with = cross.lazyProduct(lesson.slope.transpose());
     const Eigen::Matrix<double, N, 2> gain = with * lesson.inverse;
     mean += gain * lesson.surprise;
     const Matrix next = cov - gain * with.transpose();
     cov = 0.5 * (next + next.transpose());
-    cross.noalias() -= gain * lesson.cov_slope.transpose();
+    cross -= gain.lazyProduct(lesson.cov_slope.transpose());
   }
 };
 
@@ -80,17 +81,17 @@ void take_view(Considered<N>& state,
                const TeamErrors& errors,
                const Eigen::Matrix<double, M, M>& gap_cov) {
   Eigen::Matrix<double, N, M> with = state.cov * view.slope.transpose();
-  Eigen::Matrix<double, M, kAllErrors> gap_with_errors = view.slope * state.cross;
+  Eigen::Matrix<double, M, kAllErrors> gap_with_errors = view.slope.lazyProduct(state.cross);
   if (view.observer != kNoPlace) {
     with += state.cross.template middleCols<kErrorSize>(kErrorSize * view.observer) *
             view.slope_errors.transpose();
-    gap_with_errors += view.slope_errors * errors.cov_with_all(view.observer);
+    gap_with_errors += view.slope_errors.lazyProduct(errors.cov_with_all(view.observer));
   }
   const Eigen::Matrix<double, N, M> gain = with * gap_cov.inverse();
   state.mean += gain * view.gap;
   const Eigen::Matrix<double, N, N> next = state.cov - gain * with.transpose();
   state.cov = 0.5 * (next + next.transpose());
-  state.cross.noalias() -= gain * gap_with_errors;
+  state.cross -= gain.lazyProduct(gap_with_errors);
 }
 
 }  // namespace teamsight::fusion

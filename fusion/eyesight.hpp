@@ -8,6 +8,7 @@
 
 #include "fusion/inline_list.hpp"
 #include "fusion/parameters.hpp"
+#include "geometry/identity.hpp"
 #include "geometry/time.hpp"
 
 namespace teamsight::fusion {
@@ -53,7 +54,7 @@ struct Shadow {
   double half_angle{0.0};  ///< rad
 };
 
-inline constexpr std::size_t kMaxShadows = 48;
+inline constexpr std::size_t kMaxShadows = kMaxRobotId + 32;
 using ShadowList = InlineList<Shadow, kMaxShadows>;
 
 /// The shadow of a body of this radius (m) at `p_F`.

@@ -16,7 +16,7 @@ struct Feet {
 };
 
 /// All teammates and obstacles that can be known at once.
-inline constexpr std::size_t kMaxFeet = 40;
+inline constexpr std::size_t kMaxFeet = kMaxRobotId + 24;
 using FeetList = InlineList<Feet, kMaxFeet>;
 
 /// Who may kick a ball: the robots that are known, and those that nobody has seen yet.

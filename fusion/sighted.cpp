@@ -164,15 +164,32 @@ TeamErrors::Residual residual_of(const Candidate& seen,
   return residual;
 }
 
+/// Whether a sighted thing fits an obstacle that more than one robot has vouched for.
+bool fits_an_obstacle(const Candidate& seen,
+                      HostTime exposure,
+                      const State& state,
+                      const TrackParameters& parameters) {
+  return std::ranges::any_of(state.obstacles, [&](const Track& track) {
+    if (!track.book.is_confirmed || log_odds_of(track.book) <= parameters.most_vote) return false;
+    const PlanarMoments moments = moments_at(track, exposure, parameters);
+    const Eigen::Vector2d gap = seen.measurement.p_F - moments.mean.head<2>();
+    const Eigen::Matrix2d cov = seen.measurement.cov_F + moments.cov.topLeftCorner<2, 2>();
+    return gap.dot(cov.inverse() * gap) <= chi_square_gate(2, parameters.gate_probability);
+  });
+}
+
 /// Cost of taking a sighted thing for a teammate's body.
+///
+/// @param is_obstacle  it fits one that is known: being near to the teammate is not enough then
 double body_cost(const TeamErrors::Residual& residual,
+                 bool is_obstacle,
                  const State& state,
                  const Parameters& parameters) {
   const TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
   if (lesson.surprise.norm() > kAnyRange) return kForbidden;
   const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
   const bool is_within = squared <= chi_square_gate(2, parameters.obstacle.gate_probability);
-  const bool is_touching = lesson.surprise.norm() < parameters.teammate.body_reach;
+  const bool is_touching = !is_obstacle && lesson.surprise.norm() < parameters.teammate.body_reach;
   if (is_within || is_touching) return squared;
   return kForbidden;
 }
@@ -215,6 +232,11 @@ MateSightings find_teammates(const CandidateList& candidates,
                   static_cast<Eigen::Index>(state.teammates.size()));
   cost.setConstant(kForbidden);
   const Glance glance = glance_of(observation);
+  std::array<bool, kMaxCandidates> is_obstacle{};
+  for (std::size_t row = 0; row < candidates.size(); ++row) {
+    is_obstacle[row] =
+        fits_an_obstacle(candidates[row], observation.exposure, state, parameters.obstacle);
+  }
   for (std::size_t column = 0; column < state.teammates.size(); ++column) {
     const Teammate& teammate = state.teammates[column];
     const auto body =
@@ -223,7 +245,7 @@ MateSightings find_teammates(const CandidateList& candidates,
     for (std::size_t row = 0; row < candidates.size(); ++row) {
       const auto residual = residual_of(candidates[row], *body, glance, state, parameters);
       cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          body_cost(residual, state, parameters);
+          body_cost(residual, is_obstacle[row], state, parameters);
     }
   }
   constexpr double kAlonePrice = 1e4;  // dearer than any pair within the gate

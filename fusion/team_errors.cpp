@@ -181,19 +181,28 @@ Eigen::Matrix<double, kErrorSize, kAllErrors> TeamErrors::cov_with_all(ErrorPlac
 TeamErrors::Lesson TeamErrors::lesson_of(const Residual& residual) const {
   Lesson lesson;
   lesson.slope.setZero();
+  lesson.cov_slope.setZero();
   lesson.surprise = residual.value;
+  const int n = active();
+  // Nowhere else is the slope other than zero: there are two small products, no large one.
   const auto add = [&](ErrorPlace place, const Eigen::Matrix<double, 2, kErrorSize>& slope) {
     if (place == kNoPlace) return;
-    lesson.slope.middleCols<kErrorSize>(kErrorSize * place) += slope;
+    const int at = kErrorSize * place;
+    lesson.slope.middleCols<kErrorSize>(at) += slope;
     lesson.surprise -= slope * mean(place);
+    lesson.cov_slope.topRows(n) +=
+        cov_.middleCols<kErrorSize>(at).topRows(n).lazyProduct(slope.transpose());
   };
   add(residual.observer, residual.slope_observer);
   add(residual.watched, residual.slope_watched);
-  const int n = active();
-  lesson.cov_slope.setZero();
-  lesson.cov_slope.topRows(n).noalias() =
-      cov_.topLeftCorner(n, n) * lesson.slope.leftCols(n).transpose();
-  lesson.inverse = (lesson.slope * lesson.cov_slope + residual.cov).inverse();
+  Eigen::Matrix2d cov = residual.cov;
+  const auto spread = [&](ErrorPlace place, const Eigen::Matrix<double, 2, kErrorSize>& slope) {
+    if (place != kNoPlace)
+      cov += slope * lesson.cov_slope.middleRows<kErrorSize>(kErrorSize * place);
+  };
+  spread(residual.observer, residual.slope_observer);
+  spread(residual.watched, residual.slope_watched);
+  lesson.inverse = cov.inverse();
   return lesson;
 }
 
@@ -202,7 +211,7 @@ void TeamErrors::learn(const Lesson& lesson) {
   const Eigen::Matrix<double, kAllErrors, 2> gain = lesson.cov_slope * lesson.inverse;
   mean_ += gain * lesson.surprise;
   auto cov = cov_.topLeftCorner(n, n);
-  cov.noalias() -= gain.topRows(n) * lesson.cov_slope.topRows(n).transpose();
+  cov -= gain.topRows(n).lazyProduct(lesson.cov_slope.topRows(n).transpose());
   // Rounding must not add up to a covariance that is none.
   cov = (0.5 * (cov + cov.transpose())).eval();
 }

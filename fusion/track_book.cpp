@@ -40,11 +40,13 @@ bool is_seen_by_others(const TrackBook& book, RobotId robot) {
 }  // namespace
 
 RobotMask robots_within(const RobotTimes& times, HostTime now, Duration window) {
-  unsigned mask = 0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] != kNever && now - times[i] <= window) mask |= 1U << i;
+  RobotMask mask = 0;
+  for (RobotId robot = 1; robot <= kMaxRobotId; ++robot) {
+    const HostTime time = times[robot - 1U];
+    if (time == kNever || now - time > window) continue;
+    mask = static_cast<RobotMask>(mask | robot_bit(robot));
   }
-  return static_cast<RobotMask>(mask);
+  return mask;
 }
 
 double votes_for(const TrackBook& book) {

@@ -31,6 +31,17 @@ struct Explanation {
   double lead{0.0};    ///< ... over the next best
 };
 
+/// Whether any pair speaks against itself. If none does, every explanation loses.
+template <class Pair>
+bool is_contradicted(std::size_t count, const Pair& evidence_of) {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (evidence_of(i, j) < 0.0) return true;
+    }
+  }
+  return false;
+}
+
 /// Tries every set of `count` robots.
 template <class Gain>
 Explanation best_explanation(std::size_t count, const Gain& gain_of) {
@@ -178,6 +189,10 @@ double TrustBook::gain_of(const Active& active,
 void TrustBook::judge_halves(const Active& active,
                              HostTime exposure,
                              const TrustParameters& parameters) {
+  const auto evidence = [&](std::size_t i, std::size_t j) {
+    return same_half_[active.index[i]][active.index[j]];
+  };
+  if (!is_contradicted(active.count, evidence)) return;
   const Explanation best = best_explanation(
       active.count, [&](unsigned set) { return gain_of(active, set, parameters); });
   if (best.gain < parameters.mirror_gain || best.lead < parameters.mirror_margin) return;
@@ -232,8 +247,14 @@ void TrustBook::judge_places(const Active& all,
     if (page.verdict == Quarantine::kMirrored && page.held == exposure) continue;
     active.index[active.count++] = all.index[i];
   }
-  const Explanation best = best_explanation(
-      active.count, [&](unsigned set) { return gain_of_carried(active, set, parameters); });
+  const auto evidence = [&](std::size_t i, std::size_t j) {
+    return agreement_[active.index[i]][active.index[j]];
+  };
+  const Explanation best =
+      is_contradicted(active.count, evidence)
+          ? best_explanation(active.count,
+                             [&](unsigned set) { return gain_of_carried(active, set, parameters); })
+          : Explanation{};
   if (best.lead >= parameters.place_margin) {
     for (std::size_t i = 0; i < active.count; ++i) {
       if ((best.robots >> i & 1U) == 0) continue;

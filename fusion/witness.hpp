@@ -20,7 +20,7 @@ struct Claim {
   bool is_ball{false};
 };
 
-inline constexpr std::size_t kMaxClaims = 48;
+inline constexpr std::size_t kMaxClaims = kMaxRobotId + 32;
 using ClaimList = InlineList<Claim, kMaxClaims>;
 
 /// What the eyes of several robots are like, beside one that is judged.

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 namespace teamsight {
-
+#ifndef TEAMSIGHT_LARGE_TEAM  // else bench/large_team.hpp, with room for more robots
 /// A robot of the own team, 1 to 16; 0 is nobody.
 using RobotId = std::uint8_t;
 inline constexpr RobotId kNobody = 0;
@@ -20,7 +20,7 @@ using RobotMask = std::uint16_t;
              ? RobotMask{0}
              : static_cast<RobotMask>(1U << static_cast<unsigned>(robot - 1));
 }
-
+#endif
 /// Names one frame of one robot, for good: the same frame received twice has the same id.
 struct ObservationId {
   RobotId robot{kNobody};

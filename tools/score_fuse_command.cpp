@@ -1,18 +1,26 @@
 // tools/score_fuse_command.cpp: see tools/score_command.hpp.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/camera_play/camera_eyes.hpp"
+#include "bench/fuse_score/claims.hpp"
 #include "bench/fuse_score/run.hpp"
 #include "process/program.hpp"
+#include "settings/load.hpp"
+#include "tools/many_threads.hpp"
+#include "tools/progress_line.hpp"
 #include "tools/score_command.hpp"
 #include "tools/score_rounding.hpp"
 
@@ -27,19 +35,40 @@ struct Options {
   std::uint64_t seeds{100};
   double seconds{20.0};
   bool no_peers{false};
+  std::optional<double> rate_hz;
+  std::size_t threads{1};
+  bool cameras{false};
+  std::string camera{"config/cameras/sim-640.textproto"};
+  std::string field{"config/fields/msl-2024.textproto"};
+  int samples{1};
 };
+
+constexpr double kCameraRate = 10.0;  // Hz, if nobody says another
+
+/// One game as everybody sees it.
+struct Game {
+  score::Tally fused;
+  score::Tally without_bad;
+  score::ClaimTally claims;
+  std::vector<score::Scored> balls;
+  std::vector<score::Scored> obstacles;
+  double worst_clock{0.0};  ///< s
+};
+
+using Cameras = std::optional<camera_play::CameraSetup>;
 
 ordered_json ball_json(const score::BallTally& ball) {
   const double bound = std::sqrt(ball.bound_position.mean());
   const double bound_v = std::sqrt(ball.bound_velocity.mean());
   ordered_json json;
   json["rmse_m"] = rounded(ball.position.rms());
-  json["bound_m"] = rounded(bound);
+  json["bound_m"] = bound > 0.0 ? ordered_json(rounded(bound)) : nullptr;
   json["ratio"] = bound > 0.0 ? ordered_json(rounded(ball.position.rms() / bound)) : nullptr;
   json["median_m"] = rounded(ball.position.quantile(0.5));
   json["p95_m"] = rounded(ball.position.quantile(0.95));
+  json["ticks"] = ball.position.count();
   json["velocity_rmse_mps"] = rounded(ball.velocity.rms());
-  json["velocity_bound_mps"] = rounded(bound_v);
+  json["velocity_bound_mps"] = bound_v > 0.0 ? ordered_json(rounded(bound_v)) : nullptr;
   json["velocity_median_mps"] = rounded(ball.velocity.quantile(0.5));
   json["known_share"] = ball.needed == 0
                             ? nullptr
@@ -77,12 +106,39 @@ ordered_json trust_json(const score::TrustTally& trust) {
   json["not_found"] = trust.not_found;
   json["wrong_reason"] = trust.wrong_reason;
   json["false_alarms"] = trust.false_alarms;
+  if (!trust.over_after.empty()) {
+    json["over_by_themselves"] = trust.over_after.size();
+    json["over_after_s_max"] =
+        rounded(*std::max_element(trust.over_after.begin(), trust.over_after.end()));
+  }
   if (trust.found_after.empty()) return json;
   std::vector<double> after = trust.found_after;
   std::sort(after.begin(), after.end());
   json["found_after_s_median"] = rounded(after[after.size() / 2]);
   json["found_after_s_p95"] = rounded(after[(after.size() - 1) * 95 / 100]);
   json["found_after_s_max"] = rounded(after.back());
+  return json;
+}
+
+ordered_json shares_json(const std::array<score::MeanTally, 3>& rings) {
+  ordered_json json = ordered_json::array();
+  for (const score::MeanTally& ring : rings) json.push_back(rounded(ring.mean()));
+  return json;
+}
+
+ordered_json claims_json(const score::ClaimTally& claims) {
+  ordered_json json;
+  json["posture"]["rmse_m"] = rounded(claims.posture.rms());
+  json["posture"]["p95_m"] = rounded(claims.posture.quantile(0.95));
+  json["posture"]["nees"] = rounded(claims.posture_nees.mean());
+  json["ball"]["nees_direction"] = rounded(claims.ray_nees.mean());
+  json["ball"]["nees_angular_radius"] = rounded(claims.radius_nees.mean());
+  json["ball"]["shown_share_3_6_9_m"] = shares_json(claims.balls_shown);
+  json["ball"]["false_per_frame"] = rounded(claims.false_balls.mean());
+  json["obstacles"]["rmse_m"] = rounded(claims.obstacle.rms());
+  json["obstacles"]["nees"] = rounded(claims.obstacle_nees.mean());
+  json["obstacles"]["shown_share_3_6_9_m"] = shares_json(claims.players_shown);
+  json["obstacles"]["false_per_frame"] = rounded(claims.false_obstacles.mean());
   return json;
 }
 
@@ -116,32 +172,82 @@ void merge(std::vector<score::Scored>& into, const std::vector<score::Scored>& f
   }
 }
 
-void score_scenario(const play::Scenario& scenario, const Options& options) {
-  score::Tally fused;
-  score::Tally without_bad;
-  std::vector<score::Scored> balls;
-  std::vector<score::Scored> obstacles;
-  double worst_clock = 0.0;
-  for (std::uint64_t i = 0; i < options.seeds; ++i) {
-    const play::PlayLog log = play::play_log(scenario, options.first_seed + i, options.seconds);
-    const auto ticks = score::make_ticks(log);
-    fused.merge(score::run_fusion(log, ticks, false));
-    if (!scenario.faults.empty()) without_bad.merge(score::run_fusion(log, ticks, true));
-    worst_clock = std::max(worst_clock, log.worst_clock_error);
-    if (options.no_peers) continue;
-    merge(balls, score::run_ball_rules(log, ticks));
-    merge(obstacles, score::run_obstacle_rules(log, ticks));
+play::PlayLog log_of(const play::Scenario& scenario,
+                     std::uint64_t seed,
+                     double seconds,
+                     const Cameras& cameras) {
+  if (!cameras) return play::play_log(scenario, seed, seconds);
+  camera_play::CameraEyes eyes(*cameras, scenario, seed);
+  return play::play_log(scenario, seed, seconds, eyes);
+}
+
+Game score_game(const play::Scenario& scenario,
+                std::uint64_t seed,
+                const Options& options,
+                const Cameras& cameras) {
+  const play::PlayLog log = log_of(scenario, seed, options.seconds, cameras);
+  const auto ticks = score::make_ticks(log);
+  Game game;
+  game.fused = score::run_fusion(log, ticks, false);
+  if (!scenario.faults.empty()) game.without_bad = score::run_fusion(log, ticks, true);
+  game.claims = score::count_claims(log);
+  game.worst_clock = log.worst_clock_error;
+  if (options.no_peers) return game;
+  game.balls = score::run_ball_rules(log, ticks);
+  game.obstacles = score::run_obstacle_rules(log, ticks);
+  return game;
+}
+
+/// All games of a scenario, in the order of their seeds.
+std::vector<Game> score_games(const play::Scenario& scenario,
+                              const Options& options,
+                              const Cameras& cameras) {
+  std::vector<Game> games(options.seeds);
+  const ProgressLine progress;
+  run_on_threads(
+      games.size(),
+      options.threads,
+      [&](std::size_t i) {
+        games[i] = score_game(scenario, options.first_seed + i, options, cameras);
+      },
+      [&](std::size_t done) {
+        progress.say(fmt::format("{}: {} of {} games", scenario.name, done, games.size()));
+      });
+  progress.clear();
+  return games;
+}
+
+/// Nothing that depends on how many threads there are.
+Game merged(const std::vector<Game>& games) {
+  Game all;
+  for (const Game& game : games) {
+    all.fused.merge(game.fused);
+    all.without_bad.merge(game.without_bad);
+    all.claims.merge(game.claims);
+    all.worst_clock = std::max(all.worst_clock, game.worst_clock);
+    merge(all.balls, game.balls);
+    merge(all.obstacles, game.obstacles);
   }
-  ordered_json own = fusion_json(fused);
-  if (scenario.clocks.is_unknown) own["worst_clock_error_ms"] = rounded(1e3 * worst_clock);
+  return all;
+}
+
+void score_scenario(const play::Scenario& scenario,
+                    const Options& options,
+                    const Cameras& cameras) {
+  const Game all = merged(score_games(scenario, options, cameras));
+  ordered_json own = fusion_json(all.fused);
+  if (cameras) own["cameras"] = cameras->camera.name;
+  own["rate_hz"] = scenario.perception.rate;
+  if (scenario.clocks.is_unknown) own["worst_clock_error_ms"] = rounded(1e3 * all.worst_clock);
   print(scenario.name, "teamsight", own);
+  print(scenario.name, "single-frames", claims_json(all.claims));
   if (!scenario.faults.empty()) {
-    print(scenario.name, "teamsight-without-the-bad", fusion_json(without_bad));
+    print(scenario.name, "teamsight-without-the-bad", fusion_json(all.without_bad));
   }
-  for (const score::Scored& scored : balls) {
+  for (const score::Scored& scored : all.balls) {
     print(scenario.name, scored.estimator, {{"ball", ball_json(scored.tally.ball)}});
   }
-  for (const score::Scored& scored : obstacles) {
+  for (const score::Scored& scored : all.obstacles) {
     print(scenario.name,
           scored.estimator,
           {{"obstacles", obstacle_json(scored.tally.obstacles, scored.tally.minutes)}});
@@ -171,6 +277,40 @@ std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
   return all;
 }
 
+Cameras cameras_of(const Options& options) {
+  if (!options.cameras) return std::nullopt;
+  camera_play::CameraSetup setup{
+      settings::load_camera(options.camera), settings::load_field(options.field), {}};
+  setup.picture.fineness = options.samples;
+  const FieldModel expected = play::play_field();
+  if (setup.field.length == expected.length && setup.field.width == expected.width) return setup;
+  throw std::runtime_error(fmt::format("{}: found {} x {} m, expected {} x {} m, where games are",
+                                       options.field,
+                                       setup.field.length,
+                                       setup.field.width,
+                                       expected.length,
+                                       expected.width));
+}
+
+bool can_be_played(const play::Scenario& scenario, const Cameras& cameras) {
+  return !cameras || std::ranges::all_of(scenario.faults, [&](const play::FaultPlan& plan) {
+    return camera_play::can_have(plan.fault, cameras->camera);
+  });
+}
+
+void score_all(const Options& options) {
+  const Cameras cameras = cameras_of(options);
+  for (play::Scenario& scenario : chosen(options.scenarios)) {
+    if (!can_be_played(scenario, cameras)) {
+      std::cerr << scenario.name << ": left out, this camera's mirror has no shape to bump\n";
+      continue;
+    }
+    if (cameras) scenario.perception.rate = kCameraRate;
+    if (options.rate_hz) scenario.perception.rate = *options.rate_hz;
+    score_scenario(scenario, options, cameras);
+  }
+}
+
 }  // namespace
 
 void add_score_fuse_command(CLI::App& score, int& exit_code) {
@@ -182,10 +322,17 @@ void add_score_fuse_command(CLI::App& score, int& exit_code) {
   fuse->add_option("--seconds", options->seconds, "length of a game")
       ->check(CLI::Range(7.0, 3600.0));
   fuse->add_flag("--no-peers", options->no_peers, "leave the peers' rules out");
+  fuse->add_option("--rate", options->rate_hz, "frames per robot and second; 25, 10 with cameras")
+      ->check(CLI::Range(1.0, 50.0));
+  fuse->add_option("--threads", options->threads, "games at a time")->check(CLI::Range(1, 256));
+  fuse->add_flag("--cameras", options->cameras, "render what robots see, and perceive it");
+  fuse->add_option("--camera", options->camera, "camera file")->capture_default_str();
+  fuse->add_option("--field", options->field, "field file")->capture_default_str();
+  fuse->add_option("--samples", options->samples, "drawn per pixel and axis")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 8));
   fuse->callback([options, &exit_code] {
-    for (const play::Scenario& scenario : chosen(options->scenarios)) {
-      score_scenario(scenario, *options);
-    }
+    score_all(*options);
     exit_code = process::kDone;
   });
 }

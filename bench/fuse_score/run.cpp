@@ -40,6 +40,7 @@ class Shown {
     }
     for (const auto& [robot, t] : ball_) {
       if (tick.t - t <= kObservedFor) ++tick.ball_observers;
+      if (tick.t - t <= kNeededFor) tick.counts_ball = true;
     }
   }
 
@@ -108,9 +109,17 @@ double squared_ball_error(const play::TrueBall& truth, const Eigen::Vector3d& p_
   return truth.is_flying ? gap.squaredNorm() : gap.head<2>().squaredNorm();
 }
 
+void count_needed(const Tick& tick, BallTally& tally) {
+  ++tally.needed;
+  if (!tick.bound) return;
+  tally.bound_position.add(tick.bound->var_position);
+  tally.bound_velocity.add(tick.bound->var_velocity);
+}
+
 std::vector<Tick> make_ticks(const PlayLog& log) {
   Shown shown(log);
-  Delivered delivered(log);
+  std::optional<Delivered> delivered;
+  if (log.has_known_errors) delivered.emplace(log);
   double last_out = -kOutFor;
   std::vector<Tick> ticks;
   const auto count = static_cast<int>(log.moments.back().t / kTickPeriod) - 1;
@@ -119,9 +128,12 @@ std::vector<Tick> make_ticks(const PlayLog& log) {
     tick.t = i * kTickPeriod;
     shown.take_until(tick.t);
     shown.fill(tick);
-    tick.bound = delivered.bound_at(tick.t);
+    if (delivered) {
+      tick.bound = delivered->bound_at(tick.t);
+      tick.counts_ball = tick.bound->is_known;
+    }
     if (is_out_of_play(log.at(tick.t).balls[0])) last_out = tick.t;
-    if (tick.t - last_out < kOutFor) tick.bound.is_known = false;
+    if (tick.t - last_out < kOutFor) tick.counts_ball = false;
     ticks.push_back(tick);
   }
   return ticks;
@@ -185,12 +197,10 @@ std::vector<Scored> run_ball_rules(const PlayLog& log, const std::vector<Tick>& 
       const fusion::Observation observation = log.observation(log.deliveries[next]);
       book.take(observation, to_seconds(observation.exposure - play::host_time(0.0)));
     }
-    if (tick.t < begin || !tick.bound.is_known) continue;
+    if (tick.t < begin || !tick.counts_ball) continue;
     for (std::size_t i = 0; i < scored.size(); ++i) {
       BallTally& tally = scored[i].tally.ball;
-      ++tally.needed;
-      tally.bound_position.add(tick.bound.var_position);
-      tally.bound_velocity.add(tick.bound.var_velocity);
+      count_needed(tick, tally);
       const auto guess = book.ball(peers::kBallRules[i], tick.t);
       if (!guess) continue;
       count_ball(tick, log.at(tick.t).balls[0], *guess, log.scenario.play.ball_radius, tally);

@@ -1,6 +1,7 @@
 // bench/fuse_score/run.hpp: fusion and the peers' rules over one play, beside the truth.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct Scored {
 /// When worlds are compared with the truth: 30 times a second.
 struct Tick {
   double t{0.0};
-  BallBound bound;           ///< of what was delivered by then
+  /// The first ball is in play and could be known: by the bound or, where there is none, because a
+  /// delivered frame of the last second shows it.
+  bool counts_ball{false};
+  std::optional<BallBound> bound;  ///< of what was delivered by then, where errors are known
   std::vector<bool> needed;  ///< for each opponent: shown by a delivered frame of the last second
   int ball_observers{0};     ///< robots whose frames of the last 0.1 s show the first ball
 };
@@ -44,6 +48,9 @@ struct Tick {
 
 /// From when on ticks count: after a second, or when the first fault has begun.
 [[nodiscard]] double begins_to_count(const play::Scenario& scenario);
+
+/// Counts a tick at which the ball could be known.
+void count_needed(const Tick& tick, BallTally& tally);
 
 /// Squared error of a ball, with its height while it flies.
 [[nodiscard]] double squared_ball_error(const play::TrueBall& truth, const Eigen::Vector3d& p_F);

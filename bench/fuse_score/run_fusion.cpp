@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bench/fuse_score/run.hpp"
+#include "fusion/teammate.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/uncertainty.hpp"
 
@@ -10,6 +11,9 @@ namespace teamsight::score {
 namespace {
 
 using play::PlayLog;
+
+constexpr double kWrong = 0.3;     // m
+constexpr double kEndedFor = 1.0;  // s without a wrong posture: the fault is over
 
 /// One run of fusion, tick by tick.
 class FusionRun {
@@ -67,17 +71,21 @@ class FusionRun {
       const auto robot = static_cast<std::size_t>(observation.id.robot);
       const Eigen::Vector2d truth =
           log_.at(frame.exposure).players[robot - 1].X_FR.origin().vector();
-      said_[observation.id.robot] =
-          (observation.posture.X_FR.origin().vector() - truth).squaredNorm();
+      const double off = (observation.posture.X_FR.origin().vector() - truth).norm();
+      said_[observation.id.robot] = off * off;
+      const PostureEstimate& posture = observation.posture;
+      const bool is_used =
+          fusion::is_resolved(posture.status, posture.half_log_odds, parameters(log_).teammate);
+      if (is_used && off > kWrong) {
+        wrong_until_[observation.id.robot] = frame.exposure;
+      }
     }
   }
 
   void count_ball(const Tick& tick) {
-    if (!tick.bound.is_known) return;
+    if (!tick.counts_ball) return;
     BallTally& tally = tally_.ball;
-    ++tally.needed;
-    tally.bound_position.add(tick.bound.var_position);
-    tally.bound_velocity.add(tick.bound.var_velocity);
+    count_needed(tick, tally);
     if (world_.balls.empty()) return;
     if (log_.scenario.play.balls == 1 && world_.balls.size() > 1) ++tally.second_balls;
     const play::TrueBall& truth = log_.at(tick.t).balls[0];
@@ -94,7 +102,7 @@ class FusionRun {
                             n);
     if (!truth.is_flying || tick.ball_observers < 2) return;
     tally.high.add(error.squaredNorm());
-    tally.bound_high.add(tick.bound.var_position);
+    if (tick.bound) tally.bound_high.add(tick.bound->var_position);
   }
 
   /// The most probable one; with two true balls, the best of those listed that are nearer to the
@@ -185,14 +193,21 @@ class FusionRun {
     return false;
   }
 
+  void count_found(const play::FaultPlan& plan) {
+    const double wrong_for = wrong_until_[plan.robot] - plan.from;
+    const auto found = found_.find(plan.robot);
+    const bool is_over = ticks_.back().t - wrong_until_[plan.robot] > kEndedFor;
+    if (is_over) tally_.trust.over_after.push_back(std::max(0.0, wrong_for));
+    if (found != found_.end()) {
+      tally_.trust.found_after.push_back(found->second);
+    } else if (!is_over) {
+      ++tally_.trust.not_found;
+    }
+  }
+
   void finish() {
     for (const play::FaultPlan& plan : log_.scenario.faults) {
-      const auto found = found_.find(plan.robot);
-      if (found == found_.end()) {
-        ++tally_.trust.not_found;
-      } else {
-        tally_.trust.found_after.push_back(found->second);
-      }
+      count_found(plan);
     }
     tally_.obstacles.switches = ids_.switches();
     tally_.obstacles.false_tracks = ids_.false_tracks();
@@ -209,7 +224,8 @@ class FusionRun {
   HostTime last_{play::host_time(0.0)};
   Tally tally_;
   IdBook ids_;
-  std::map<int, double> said_;  // squared error of the last posture, when it was true
+  std::map<int, double> said_;         // squared error of the last posture, when it was true
+  std::map<int, double> wrong_until_;  // s; exposure of the last posture that was
   std::map<int, bool> is_out_;
   std::map<int, double> found_;
 };

@@ -63,6 +63,7 @@ void merge_obstacles(ObstacleTally& into, const ObstacleTally& from) {
 
 void merge_trust(TrustTally& into, const TrustTally& from) {
   into.found_after.insert(into.found_after.end(), from.found_after.begin(), from.found_after.end());
+  into.over_after.insert(into.over_after.end(), from.over_after.begin(), from.over_after.end());
   into.not_found += from.not_found;
   into.wrong_reason += from.wrong_reason;
   into.false_alarms += from.false_alarms;

@@ -81,7 +81,10 @@ struct MateTally {
 
 struct TrustTally {
   std::vector<double> found_after;  ///< s, of each fault found
-  int not_found{0};
+  int not_found{0};                 ///< of those that went on
+  /// Of faults that ended by themselves: for how long the robot was sure of a posture that is wrong
+  /// by more than 0.3 m; s.
+  std::vector<double> over_after;
   int wrong_reason{0};
   int false_alarms{0};  ///< times that a sound robot went into quarantine
 };

@@ -179,7 +179,7 @@ void Perception::see_players(const Moment& moment,
     if (uniform(random_, 0.0, 1.0) >= probability) continue;
     see_obstacle(
         (self.X_FR.inverse() * Point<Field>::from(there)).vector(), play.robot_radius, frame);
-    seen_players_ |= 1U << i;
+    seen_players_ |= std::uint64_t{1} << i;
   }
 }
 

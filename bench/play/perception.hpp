@@ -61,7 +61,7 @@ class Perception {
   [[nodiscard]] std::uint32_t seen_balls() const { return seen_balls_; }
 
   /// Which of the moment's players the last frame shows, a bit each.
-  [[nodiscard]] std::uint32_t seen_players() const { return seen_players_; }
+  [[nodiscard]] std::uint64_t seen_players() const { return seen_players_; }
 
  private:
   /// Something that is not there, in R.
@@ -93,7 +93,7 @@ class Perception {
   double claim_{1.0};  // claimed standard deviations over true ones
   std::uint32_t sequence_{0};
   std::uint32_t seen_balls_{0};
-  std::uint32_t seen_players_{0};
+  std::uint64_t seen_players_{0};
   std::vector<Phantom> phantoms_;
   Fault fault_{Fault::kNone};
   Eigen::Vector3d fault_offset_{Eigen::Vector3d::Zero()};

@@ -15,16 +15,47 @@ bool is_silent(RobotId robot, double t) {
   return robot != 1 && t >= from && t < from + kSilentFor;
 }
 
+/// Eyes whose errors are drawn.
+class DrawnEyes final : public Eyes {
+ public:
+  DrawnEyes(const Scenario& scenario, std::uint64_t seed) : play_(scenario.play) {
+    for (int i = 0; i < scenario.play.own; ++i) {
+      const auto robot = static_cast<RobotId>(i + 1);
+      robots_.emplace_back(scenario.perception, robot, seed * 131 + robot);
+    }
+  }
+
+  void set_fault(std::size_t robot, Fault fault, const Moment& moment) override {
+    robots_[robot].set_fault(fault, moment);
+  }
+
+  void begin(const Moment& /*first*/) override {}
+
+  void step(const Moment& /*moment*/) override {}
+
+  [[nodiscard]] Frame look(std::size_t robot, const Moment& moment, double since) override {
+    Perception& eye = robots_[robot];
+    Frame frame;
+    frame.observation = eye.look(moment, since, play_);
+    frame.seen_balls = eye.seen_balls();
+    frame.seen_players = eye.seen_players();
+    return frame;
+  }
+
+ private:
+  PlayParameters play_;
+  std::vector<Perception> robots_;
+};
+
 /// Plays one seed, step by step.
 class Recorder {
  public:
-  Recorder(const Scenario& scenario, std::uint64_t seed)
+  Recorder(const Scenario& scenario, std::uint64_t seed, Eyes& eyes)
       : play_(scenario.play, play_field(), seed),
-        random_(seed * 7919 + 1) {
+        random_(seed * 7919 + 1),
+        eyes_(eyes) {
     log_.scenario = scenario;
     for (int i = 0; i < scenario.play.own; ++i) {
-      const auto robot = static_cast<RobotId>(i + 1);
-      eyes_.emplace_back(scenario.perception, robot, seed * 131 + robot);
       clocks_.emplace_back(scenario.clocks, scenario.network, random_);
       next_frame_.push_back(uniform(random_, 0.0, 1.0 / scenario.perception.rate));
       last_frame_.push_back(0.0);
@@ -34,6 +65,7 @@ class Recorder {
   PlayLog record(double seconds) {
     log_.moments.push_back(play_.moment());
     begin_faults();
+    eyes_.begin(play_.moment());
     while (play_.moment().t < seconds) step();
     std::stable_sort(log_.deliveries.begin(), log_.deliveries.end(), [](auto& a, auto& b) {
       return a.arrival < b.arrival;
@@ -48,7 +80,8 @@ class Recorder {
     const Moment& moment = play_.moment();
     log_.moments.push_back(moment);
     begin_faults();
-    for (std::size_t i = 0; i < eyes_.size(); ++i) {
+    eyes_.step(moment);
+    for (std::size_t i = 0; i < clocks_.size(); ++i) {
       if (moment.t >= next_frame_[i]) look(i);
     }
   }
@@ -57,7 +90,7 @@ class Recorder {
     const Moment& moment = play_.moment();
     for (const FaultPlan& plan : log_.scenario.faults) {
       if (std::abs(moment.t - plan.from) < 0.5 * Play::kStep) {
-        eyes_[static_cast<std::size_t>(plan.robot) - 1].set_fault(plan.fault, moment);
+        eyes_.set_fault(static_cast<std::size_t>(plan.robot) - 1, plan.fault, moment);
       }
     }
   }
@@ -66,11 +99,8 @@ class Recorder {
     const Moment& moment = play_.moment();
     const Scenario& scenario = log_.scenario;
     next_frame_[i] += 1.0 / scenario.perception.rate;
-    Frame frame;
+    Frame frame = eyes_.look(i, moment, moment.t - last_frame_[i]);
     frame.exposure = moment.t;
-    frame.observation = eyes_[i].look(moment, moment.t - last_frame_[i], scenario.play);
-    frame.seen_balls = eyes_[i].seen_balls();
-    frame.seen_players = eyes_[i].seen_players();
     last_frame_[i] = moment.t;
     if (scenario.is_joining && is_silent(frame.observation.id.robot, moment.t)) return;
     log_.frames.push_back(frame);
@@ -112,7 +142,7 @@ class Recorder {
   Play play_;
   Random random_;
   PlayLog log_;
-  std::vector<Perception> eyes_;
+  Eyes& eyes_;
   std::vector<PeerClockModel> clocks_;
   std::vector<double> next_frame_;
   std::vector<double> last_frame_;
@@ -141,7 +171,14 @@ fusion::Observation PlayLog::observation(const Delivery& delivery) const {
 }
 
 PlayLog play_log(const Scenario& scenario, std::uint64_t seed, double seconds) {
-  return Recorder(scenario, seed).record(seconds);
+  DrawnEyes eyes(scenario, seed);
+  PlayLog log = play_log(scenario, seed, seconds, eyes);
+  log.has_known_errors = true;
+  return log;
+}
+
+PlayLog play_log(const Scenario& scenario, std::uint64_t seed, double seconds, Eyes& eyes) {
+  return Recorder(scenario, seed, eyes).record(seconds);
 }
 
 }  // namespace teamsight::play

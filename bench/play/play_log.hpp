@@ -4,17 +4,10 @@
 #include <array>
 #include <vector>
 
+#include "bench/play/eyes.hpp"
 #include "bench/play/scenario.hpp"
 
 namespace teamsight::play {
-
-/// One frame of one robot.
-struct Frame {
-  double exposure{0.0};             ///< s, true
-  std::uint32_t seen_balls{0};      ///< which true balls it shows, a bit each
-  std::uint32_t seen_players{0};    ///< which true players it shows, a bit each
-  fusion::Observation observation;  ///< exposure not filled in
-};
 
 /// A frame on arrival.
 struct Delivery {
@@ -26,6 +19,7 @@ struct Delivery {
 
 struct PlayLog {
   Scenario scenario;
+  bool has_known_errors{false};      ///< drawn by `scenario.perception`: there is a bound
   std::vector<Moment> moments;       ///< every Play::kStep, from 0
   std::vector<Frame> frames;         ///< by exposure
   std::vector<Delivery> deliveries;  ///< by arrival
@@ -43,5 +37,11 @@ struct PlayLog {
 
 /// Plays `seconds` of the scenario. The same seed gives the same log.
 [[nodiscard]] PlayLog play_log(const Scenario& scenario, std::uint64_t seed, double seconds);
+
+/// The same play, looked at with other eyes; made for as many robots as the scenario has.
+[[nodiscard]] PlayLog play_log(const Scenario& scenario,
+                               std::uint64_t seed,
+                               double seconds,
+                               Eyes& eyes);
 
 }  // namespace teamsight::play

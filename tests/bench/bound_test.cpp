@@ -17,7 +17,7 @@ play::PlayLog log_with(int robots, double loss) {
 
 double mean_variance(const play::PlayLog& log) {
   MeanTally mean;
-  for (const Tick& tick : make_ticks(log)) mean.add(std::min(1.0, tick.bound.var_position));
+  for (const Tick& tick : make_ticks(log)) mean.add(std::min(1.0, tick.bound->var_position));
   return mean.mean();
 }
 
@@ -34,7 +34,7 @@ TEST(BoundFilter, GrowsWhereFramesAreLost) {
 TEST(BoundFilter, NeverFallsBelowWhatCalibrationAllows) {
   const play::PlayLog log = log_with(5, 0.0);
 
-  for (const Tick& tick : make_ticks(log)) EXPECT_GT(tick.bound.var_position, 1e-5);
+  for (const Tick& tick : make_ticks(log)) EXPECT_GT(tick.bound->var_position, 1e-5);
 }
 
 }  // namespace
