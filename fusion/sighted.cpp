@@ -155,13 +155,33 @@ TeamErrors::Residual residual_of(const Candidate& seen,
       residual.observer == kNoPlace ? 0.0 : state.errors.mean(residual.observer)(2);
   const Eigen::Vector2d said = seen.measurement.p_F - glance.observer();
   const Eigen::Vector2d way = Eigen::Rotation2Dd(-turned) * said;
-  residual.slope_observer = place_slope(way);
+  // Sloped by where it stands: by where it was seen, what a look errs by would weigh the look, and
+  // all robots would seem to see too far.
+  residual.slope_observer = place_slope(body.p_F - glance.observer());
   residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.watched = state.errors.place_of(body.robot);
   residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();
   residual.cov = seen.cov_own + (residual.watched == kNoPlace ? body.cov : body.cov_carried) +
                  aside * aside * Eigen::Matrix2d::Identity();
   return residual;
+}
+
+/// Whether a known obstacle explains what was seen better than the teammate does: one that stands
+/// in front of the teammate, and would teach that everything is seen too near.
+///
+/// @param squared_mate  squared distance from the teammate, in standard deviations
+bool is_rather_obstacle(const Candidate& seen,
+                        double squared_mate,
+                        HostTime exposure,
+                        const State& state,
+                        const Parameters& parameters) {
+  return std::any_of(state.obstacles.begin(), state.obstacles.end(), [&](const Track& track) {
+    if (!track.book.is_confirmed) return false;
+    const PlanarMoments moments = moments_at(track, exposure, parameters.obstacle);
+    const Eigen::Vector2d gap = seen.measurement.p_F - moments.mean.head<2>();
+    const Eigen::Matrix2d cov = seen.measurement.cov_F + moments.cov.topLeftCorner<2, 2>();
+    return squared_mahalanobis(gap, cov) < squared_mate;
+  });
 }
 
 /// Cost of taking a sighted thing for a teammate's body.
@@ -231,6 +251,7 @@ void learn_from_teammates(State& state,
     TeamErrors::Residual residual = residual_of(candidates[row], *body, glance, state, parameters);
     TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
     const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
+    if (is_rather_obstacle(candidates[row], squared, glance.exposure, state, parameters)) continue;
     residual.cov *= tail_factor(squared, 2);
     lesson = state.errors.lesson_of(residual);
     for (BallTrack& ball : state.balls) {
