@@ -118,7 +118,8 @@ KickChance chance_of(const BallBelief& belief, const Kickers& kickers, const Bal
 BallBelief kicked(const BallBelief& before, double dt, const Kick& kick, const BallMotion& motion) {
   BallBelief belief = before;
   const BallStep step = step_kicked(before.state.mean, dt, kick, motion);
-  belief.mode = kick.into;
+  belief.mode = belief.kicked_into = kick.into;
+  belief.since_kick = 0.5 * dt;
   belief.state.predict(step.transition, step.mean, step.disturbance);
   if (kick.into == BallMode::kRolling) lay_down(belief.state, motion);
   return belief;
@@ -182,6 +183,7 @@ void lay_down(Considered<6>& state, const BallMotion& motion) {
 
 void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
   for (BallBelief& belief : beliefs) {
+    belief.since_kick += dt;
     const BallStep step = belief.mode == BallMode::kFlying
                               ? step_flying(belief.state.mean, dt, motion)
                               : step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);

@@ -1,6 +1,8 @@
 // fusion/ball_beliefs.hpp: what may have become of a ball, each possibility with its probability.
 #pragma once
 
+#include <limits>
+
 #include "fusion/ball_motion.hpp"
 #include "fusion/considered.hpp"
 #include "fusion/feet.hpp"
@@ -17,6 +19,9 @@ struct BallBelief {
   double probability{0.0};
   RobotId seen_by{kNobody};               ///< whose ray it was that last told of it
   HostTime seen{std::chrono::hours(-1)};  ///< when; at first before every exposure
+  /// s: since it was kicked; infinite: not since it is known.
+  double since_kick{std::numeric_limits<double>::infinity()};
+  BallMode kicked_into{BallMode::kRolling};  ///< ... and how
 };
 
 inline constexpr std::size_t kMaxBallBeliefs = 16;

@@ -19,7 +19,7 @@ enum class BallMode : std::uint8_t { kRolling, kFlying };
 struct BallMotion {
   double radius{0.11};        ///< m; it lies this high
   double friction{0.45};      ///< m/s^2 on carpet; middle of 0.3 to 0.6
-  double rolling_psd{0.08};   ///< m^2/s^3: carpet is uneven
+  double rolling_psd{0.02};   ///< m^2/s^3: carpet is uneven, and friction 0.3 to 0.6
   double flying_psd{0.3};     ///< m^2/s^3
   double gravity{9.81};       ///< m/s^2
   double drag{0.012};         ///< 1/m
@@ -30,17 +30,19 @@ struct BallMotion {
   double kicks_at_foot{6.0};  ///< per second, of a ball that a robot touches
   double kicks_alone{0.005};  ///< per second, of any ball, whoever is near: nobody can know of all
   double stopping_way{0.25};  ///< m; after so much on its way into a robot it is on its way back
-  double high_share{0.22};    ///< of all kicks; the others go along the floor
-  double foot_reach{0.25};    ///< m from a robot's body to the centre of a ball that it can kick
-  double foot_height{0.5};    ///< m: no foot reaches higher
-  double sigma_pass{2.5};     ///< m/s per floor component, of the velocity after a soft kick
-  double sigma_shot{6.0};     ///< ... after a hard one
-  double shot_share{0.4};     ///< hard ones among the kicks along the floor
-  double sigma_high{4.0};     ///< m/s per floor component, after a kick into the air
-  double climb{3.0};          ///< m/s, of the vertical velocity after a high kick
-  double sigma_climb{2.0};    ///< m/s
-  double fastest{12.0};       ///< m/s; no robot's kick is faster
-  double sigma_floor{0.01};   ///< m, of the height of one that rolls
+  double high_share{0.1};     ///< of all games' kicks; the others go along the floor
+  double high_share_weight{4.0};  ///< kicks of this game that weigh as much as `high_share`
+  double kick_memory{50.0};       ///< kicks of this game that count
+  double foot_reach{0.25};   ///< m from a robot's body to the centre of a ball that it can kick
+  double foot_height{0.5};   ///< m: no foot reaches higher
+  double sigma_pass{2.5};    ///< m/s per floor component, of the velocity after a soft kick
+  double sigma_shot{6.0};    ///< ... after a hard one
+  double shot_share{0.4};    ///< hard ones among the kicks along the floor
+  double sigma_high{4.0};    ///< m/s per floor component, after a kick into the air
+  double climb{3.0};         ///< m/s, of the vertical velocity after a high kick
+  double sigma_climb{2.0};   ///< m/s
+  double fastest{12.0};      ///< m/s; no robot's kick is faster
+  double sigma_floor{0.01};  ///< m, of the height of one that rolls
   /// At the edge of the carpet there is a board, a net, a person: a ball comes back slower.
   Eigen::Vector2d carpet_centre{0.0, 0.0};  ///< in F; m
   Eigen::Vector2d carpet_reach{1e3, 1e3};   ///< half its length and width; m

@@ -23,6 +23,7 @@ class BallKind {
   BallKind(const BallSightings& sightings, const Scene& scene, const BallSetting& setting)
       : rays_(sightings.rays),
         kickers_(sightings.kickers),
+        kicks_(sightings.kicks),
         glance_(scene.glance),
         errors_(scene.errors),
         hiding_(scene.hiding),
@@ -40,6 +41,7 @@ class BallKind {
     // Who knows when: often enough to tell instants apart, not so often that they crowd out others.
     constexpr double kShortest = 0.02;  // s
     track.since_split += dt;
+    track.since_counted += dt;
     if (track.since_split < kShortest) return;
     // Where no robot has said anything for so long, anybody may have come.
     constexpr double kSilence = 0.3;  // s
@@ -53,6 +55,7 @@ class BallKind {
   }
 
   void think_of_kicks(BallTrack& track, const Kickers& kickers) const {
+    track.high_share = setting_.motion.high_share;
     track.kick_rate = kick_rate(track.beliefs, kickers, setting_.motion);
     split_off_kicks(track.beliefs, track.since_split, kickers, setting_.motion);
     track.since_split = 0.0;
@@ -117,6 +120,7 @@ class BallKind {
     constexpr double kNegligible = -10.0;
     if (std::log(all_false) > kNegligible) add_others(track.beliefs, others);
     tidy(track.beliefs);
+    if (track.book.is_confirmed) count_clear_kick(track);
     return mean;
   }
 
@@ -157,6 +161,20 @@ class BallKind {
   // What hides a ball from a robot in one frame hides it in the next: each frame without it counts
   // for so much of one that tells something new.
   static constexpr double kIndependent = 0.3;
+
+  /// Counts the ball's last kick once there is no doubt of it, and of its kind.
+  void count_clear_kick(BallTrack& track) const {
+    constexpr double kClear = 0.95;
+    constexpr double kSoonest = 0.2;  // s after it; and instants so near are one kick's
+    const auto is_clear = [&](const BallBelief& belief) {
+      return belief.probability > kClear && belief.since_kick > kSoonest &&
+             belief.since_kick + kSoonest < track.since_counted;
+    };
+    const auto told = std::find_if(track.beliefs.begin(), track.beliefs.end(), is_clear);
+    if (told == track.beliefs.end() || std::isinf(told->since_kick)) return;
+    count_kick(kicks_, told->kicked_into, setting_.motion);
+    track.since_counted = told->since_kick;
+  }
 
   /// Whether this robot saw that ball a moment ago.
   [[nodiscard]] bool is_just_seen(const BallBelief& belief) const {
@@ -321,6 +339,7 @@ class BallKind {
 
   const std::vector<BallRay>& rays_;
   const Kickers& kickers_;
+  KickTally& kicks_;
   const Glance& glance_;
   const TeamErrors& errors_;
   const CandidateList& hiding_;
@@ -338,7 +357,9 @@ std::uint32_t take_in(BallList& tracks,
   return Turn<BallKind, BallList>(kind, tracks, sightings.candidates, scene, setting.track).take();
 }
 
-BallMoments moments_at(const BallTrack& track, HostTime now, const BallMotion& motion) {
+BallMoments moments_at(const BallTrack& track, HostTime now, const BallMotion& all_games) {
+  BallMotion motion = all_games;
+  motion.high_share = track.high_share;
   BallBeliefs beliefs = track.beliefs;
   // In steps, so that friction and bounces come in time.
   constexpr double kLongestStep = 0.05;  // s

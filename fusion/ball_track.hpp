@@ -1,10 +1,12 @@
 // fusion/ball_track.hpp: a ball that several robots see, and what may have become of it.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "fusion/ball_beliefs.hpp"
 #include "fusion/ball_view.hpp"
+#include "fusion/kick_habits.hpp"
 #include "fusion/track_book.hpp"
 
 namespace teamsight::fusion {
@@ -14,6 +16,9 @@ struct BallTrack {
   BallBeliefs beliefs;
   double since_split{0.0};  ///< s: since kicks were last thought of
   double kick_rate{0.0};    ///< kicks per second that were then to be expected
+  double high_share{0.0};   ///< ... and the share of those into the air
+  /// s: since the last kick that was counted.
+  double since_counted{std::numeric_limits<double>::infinity()};
 };
 
 inline constexpr std::size_t kMaxBallTracks = 6;
@@ -30,6 +35,7 @@ struct BallSightings {
   const CandidateList& candidates;  ///< where they meet the floor; `index` says which ray it is
   const std::vector<BallRay>& rays;
   const Kickers& kickers;  ///< who may kick it
+  KickTally& kicks;        ///< those that became clear by the frame are added
 };
 
 /// Takes all ball rays that one frame shows into the tracks, see fusion/turn.hpp. A bank of

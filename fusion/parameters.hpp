@@ -94,7 +94,7 @@ struct TeammateParameters {
   /// Over how long it is measured how much of a posture's error is new; see PostureJitter.
   Duration jitter_memory{std::chrono::seconds(2)};
   double sigma_scale{0.02};  ///< share by which a robot sees things too far away
-  Duration scale_memory{std::chrono::seconds(60)};
+  Duration scale_memory{std::chrono::seconds(300)};    ///< longer than it takes to learn it
   Duration forget_age{std::chrono::seconds(5)};        ///< silent for longer: not listed
   Duration duplicate_memory{std::chrono::seconds(2)};  ///< see Quarantine::kDuplicateId
 };

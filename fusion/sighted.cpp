@@ -155,7 +155,9 @@ TeamErrors::Residual residual_of(const Candidate& seen,
       residual.observer == kNoPlace ? 0.0 : state.errors.mean(residual.observer)(2);
   const Eigen::Vector2d said = seen.measurement.p_F - glance.observer();
   const Eigen::Vector2d way = Eigen::Rotation2Dd(-turned) * said;
-  residual.slope_observer = place_slope(way);
+  // Sloped by where it stands: by where it was seen, what a look errs by would weigh the look, and
+  // all robots would seem to see too far.
+  residual.slope_observer = place_slope(body.p_F - glance.observer());
   residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.watched = state.errors.place_of(body.robot);
   residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();

@@ -224,11 +224,12 @@ std::size_t take_sighted(State& state,
   const Sight sight = sight_of(state, observer, glance, parameters);
   const Scene scene{glance, state.errors, sighted.obstacles, sight};
   weigh_newcomers(state.unseen, obstacles, scene, setting);
-  const BallSetting ball{parameters.ball_motion, parameters.ball};
+  BallSetting ball{parameters.ball_motion, parameters.ball};
+  ball.motion.high_share = high_share(state.kicks, parameters.ball_motion);
   const Kickers kickers = kickers_at(state, observation.exposure, setting);
   const BallKeys known = confirmed_keys(state.balls);
   const std::uint32_t unused =
-      take_in(state.balls, {sighted.balls, observation.balls, kickers}, scene, ball) +
+      take_in(state.balls, {sighted.balls, observation.balls, kickers, state.kicks}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
   learn_eyesight(state, observer, mates, scene, parameters);
   state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters);

@@ -21,6 +21,7 @@ namespace teamsight::fusion {
 struct State {
   BallList balls;
   std::uint32_t lost_ball{0};  ///< key of the track that was given up last; 0: none
+  KickTally kicks;             ///< of this game
   HintedBall hinted;           ///< by the operator; decides which ball is listed first, no more
   TrackList obstacles;
   UnseenMap unseen;                             ///< obstacles that are in no track
