@@ -141,6 +141,14 @@ std::optional<Body> body_of(const Teammate& teammate,
   return body;
 }
 
+/// Where a robot stands by what is known of its error.
+Eigen::Vector2d without_error(const Eigen::Vector2d& p_F,
+                              ErrorPlace place,
+                              const TeamErrors& errors) {
+  if (place == kNoPlace) return p_F;
+  return p_F - errors.mean(place).head<2>();
+}
+
 /// The residual of a sighted teammate: where it was seen, minus where it says that it is. Linear
 /// about what is known of the observer's heading, which may be off by more than a small angle.
 TeamErrors::Residual residual_of(const Candidate& seen,
@@ -157,9 +165,11 @@ TeamErrors::Residual residual_of(const Candidate& seen,
   const Eigen::Vector2d way = Eigen::Rotation2Dd(-turned) * said;
   // Sloped by where it stands: by where it was seen, what a look errs by would weigh the look, and
   // all robots would seem to see too far.
-  residual.slope_observer = place_slope(body.p_F - glance.observer());
-  residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.watched = state.errors.place_of(body.robot);
+  residual.slope_observer =
+      place_slope(without_error(body.p_F, residual.watched, state.errors) -
+                  without_error(glance.observer(), residual.observer, state.errors));
+  residual.value = glance.observer() + way - body.p_F + residual.slope_observer.col(2) * turned;
   residual.slope_watched << -Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero();
   residual.cov = seen.cov_own + (residual.watched == kNoPlace ? body.cov : body.cov_carried) +
                  aside * aside * Eigen::Matrix2d::Identity();
