@@ -1,4 +1,5 @@
 // tests/bench/locate_score_test.cpp: how answers are counted, and what is done to line points.
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -56,7 +57,7 @@ TEST(LocatePointErrors, MeasureDistancesFromThePaintAtTheTruth) {
   field.lines.push_back({"middle", {0.0, -4.0}, {0.0, 4.0}, LineFamily::kOther});
   const vision::LineMap map(field);
   std::vector<vision::LinePoint> points(4);
-  const double offsets[] = {0.01, -0.02, 0.03, 1.5};  // the last one is on no paint
+  const std::array<double, 4> offsets{0.01, -0.02, 0.03, 1.5};  // the last one is on no paint
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].p_R = {1.0 + offsets[i], 0.2};
     points[i].cov_R = 1e-4 * Eigen::Matrix2d::Identity();
