@@ -23,6 +23,7 @@
 #include "vision/colour_cube.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/ray_table.hpp"
+#include "vision/resized_camera.hpp"
 #include "vision/scan_lines.hpp"
 
 namespace teamsight::bench {
@@ -45,23 +46,6 @@ constexpr double kCubeThreshold = 80.0;       // grey levels
 
 Duration between(Clock::time_point start, Clock::time_point end) {
   return end - start;
-}
-
-// The same eye with a sensor of more pixels.
-vision::CameraParameters enlarged(const vision::CameraParameters& camera) {
-  vision::CameraParameters large = camera;
-  auto& table = std::get<vision::RadialTable>(large.mirror);
-  const double scale = 1.0 * kLargeWidth / camera.width_px;
-  large.width_px = kLargeWidth;
-  large.height_px = kLargeHeight;
-  table.centre_u_px = 0.5 * (kLargeWidth - 1);
-  table.centre_v_px = 0.5 * (kLargeHeight - 1);
-  for (vision::RingMark& row : table.rows) row.radius_px *= scale;
-  large.mask.inner_radius_px *= scale;
-  large.mask.outer_radius_px *= scale;
-  large.mask.polygons.clear();
-  large.sensors.clear();
-  return large;
 }
 
 // Class of every pixel by a table over six bits of y, u and v, as most teams do.
@@ -290,7 +274,8 @@ int run(int argc, const char* const* argv) {
     return *done;
   }
   const sim::Setup setup = sim::load_setup(match, {}, {});
-  for (const auto& camera : {setup.camera, enlarged(setup.camera)}) {
+  for (const auto& camera :
+       {setup.camera, vision::resized(setup.camera, kLargeWidth, kLargeHeight)}) {
     if (width_px != 0 && width_px != camera.width_px) continue;
     report(camera, measure(setup, camera, frames, repeats));
   }

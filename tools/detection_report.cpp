@@ -29,6 +29,14 @@ ordered_json entry_of(const Tally& tally) {
   return entry;
 }
 
+std::vector<Detection> feet_of(const vision::FrameObservation& seen, vision::ObstacleKind kind) {
+  std::vector<Detection> feet;
+  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
+    if (foot.kind == kind) feet.push_back({foot.u_px, foot.v_px, foot.on_carpet});
+  }
+  return feet;
+}
+
 }  // namespace
 
 Score& Score::operator+=(const Score& other) {
@@ -47,29 +55,24 @@ std::vector<Detection> ball_places(const vision::FrameObservation& seen) {
 }
 
 std::vector<Detection> robot_places(const vision::FrameObservation& seen) {
-  std::vector<Detection> robots;
-  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
-    if (foot.kind != vision::ObstacleKind::kRobot) continue;
-    robots.push_back({foot.u_px, foot.v_px, foot.on_carpet});
-  }
-  return robots;
+  return feet_of(seen, vision::ObstacleKind::kRobot);
+}
+
+std::vector<Detection> leg_places(const vision::FrameObservation& seen) {
+  return feet_of(seen, vision::ObstacleKind::kLegs);
 }
 
 Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen) {
-  std::vector<Detection> obstacles;
-  for (const vision::ObstaclePixels& foot : seen.obstacle_pixels) {
-    obstacles.push_back({foot.u_px, foot.v_px, foot.on_carpet});
-  }
   return {score_balls(labels, ball_places(seen)),
           score_robots(labels, robot_places(seen)),
-          score_people(labels, obstacles)};
+          score_people(labels, robot_places(seen), leg_places(seen))};
 }
 
 ordered_json report_of(const Score& score) {
   ordered_json report;
   report["balls"] = entry_of(score.balls);
   report["robots"] = entry_of(score.robots);
-  report["people"] = {{"labelled", score.people.labelled}, {"found", score.people.found}};
+  report["people"] = entry_of(score.people);
   return report;
 }
 

@@ -25,10 +25,13 @@ struct Score {
 /// Where a frame shows the feet of robots; legs are none.
 [[nodiscard]] std::vector<Detection> robot_places(const vision::FrameObservation& seen);
 
+/// Where a frame shows somebody's legs.
+[[nodiscard]] std::vector<Detection> leg_places(const vision::FrameObservation& seen);
+
 [[nodiscard]] Score score_of(const ImageLabels& labels, const vision::FrameObservation& seen);
 
-/// Counts, recall and precision with their 95 % intervals, and the median error in pixels, of balls
-/// and robots; of people how many were found.
+/// Counts, recall and precision with their 95 % intervals, and the median error in pixels, of
+/// balls, robots and people; a false person is legs on the carpet where nobody stands.
 [[nodiscard]] nlohmann::ordered_json report_of(const Score& score);
 
 }  // namespace teamsight::tools

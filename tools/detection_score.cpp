@@ -92,6 +92,21 @@ ImageLabels labels_of(const nlohmann::json& entry) {
   return labels;
 }
 
+// All obstacles but those that robots' labels take.
+std::vector<Detection> not_of_robots(const ImageLabels& labels,
+                                     const std::vector<Detection>& robots,
+                                     const std::vector<Detection>& legs) {
+  Unmatched unmatched(robots);
+  for (const LabelledFoot& robot : labels.robots) {
+    (void)unmatched.take(robot.u, robot.v, kFootReach);
+  }
+  std::vector<Detection> others = legs;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (!unmatched.is_taken(i)) others.push_back(robots[i]);
+  }
+  return others;
+}
+
 bool is_excused(const ImageLabels& labels, const Detection& detection) {
   const auto is_near = [&](const LabelledFoot& foot) {
     return apart(detection, foot.u, foot.v) <= kPersonReach;
@@ -156,13 +171,36 @@ Tally score_robots(const ImageLabels& labels, const std::vector<Detection>& obst
   return tally;
 }
 
-Tally score_people(const ImageLabels& labels, const std::vector<Detection>& obstacles) {
+Tally score_people(const ImageLabels& labels,
+                   const std::vector<Detection>& robots,
+                   const std::vector<Detection>& legs) {
   Tally tally;
+  const std::vector<Detection> obstacles = not_of_robots(labels, robots, legs);
   Unmatched unmatched(obstacles);
   for (const LabelledFoot& person : labels.people) {
     note(tally, person.counts, unmatched.take(person.u, person.v, kPersonReach));
   }
+  for (const Detection& leg : legs) {
+    const auto is_near = [&](const LabelledFoot& foot) {
+      return apart(leg, foot.u, foot.v) <= kPersonReach;
+    };
+    if (std::ranges::any_of(labels.people, is_near)) continue;
+    if (std::ranges::any_of(labels.robots, is_near)) continue;
+    ++(leg.on_carpet ? tally.wrong : tally.outside);
+  }
   return tally;
+}
+
+std::vector<bool> people_found(const ImageLabels& labels,
+                               const std::vector<Detection>& robots,
+                               const std::vector<Detection>& legs) {
+  const std::vector<Detection> obstacles = not_of_robots(labels, robots, legs);
+  Unmatched unmatched(obstacles);
+  std::vector<bool> found;
+  for (const LabelledFoot& person : labels.people) {
+    found.push_back(unmatched.take(person.u, person.v, kPersonReach).has_value());
+  }
+  return found;
 }
 
 std::vector<bool> balls_found(const ImageLabels& labels, const std::vector<Detection>& balls) {

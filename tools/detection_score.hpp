@@ -92,9 +92,17 @@ struct Tally {
 [[nodiscard]] Tally score_robots(const ImageLabels& labels,
                                  const std::vector<Detection>& obstacles);
 
-/// A person is found by the nearest detection within 40 px: people have two feet and one label.
+/// A person is found by the nearest obstacle within 40 px that is no labelled robot's: people have
+/// two feet and one label. Told as a robot or as legs, both count: it is in the way. Legs within 40
+/// px of a robot or of a person are neither right nor wrong.
 [[nodiscard]] Tally score_people(const ImageLabels& labels,
-                                 const std::vector<Detection>& obstacles);
+                                 const std::vector<Detection>& robots,
+                                 const std::vector<Detection>& legs);
+
+/// Of each labelled person, whether an obstacle is near enough, as there.
+[[nodiscard]] std::vector<bool> people_found(const ImageLabels& labels,
+                                             const std::vector<Detection>& robots,
+                                             const std::vector<Detection>& legs);
 
 /// Wilson's interval for `hits` of `trials`, 95 %.
 struct Interval {

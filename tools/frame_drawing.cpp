@@ -193,6 +193,11 @@ Picture judged_frame(const Shot& shot, const FrameObservation& seen, const Image
     const LabelledFoot& robot = labels.robots[i];
     fates.push_back({robot.u, robot.v, kAround, robot.counts, found_robots[i]});
   }
+  const std::vector<bool> found_people = people_found(labels, robots, leg_places(seen));
+  for (std::size_t i = 0; i < labels.people.size(); ++i) {
+    const LabelledFoot& person = labels.people[i];
+    fates.push_back({person.u, person.v, 2.0 * kAround, person.counts, found_people[i]});
+  }
   mark_fates(canvas, fates);
   mark_false(canvas, balls, judge_balls(labels, balls));
   mark_false(canvas, robots, judge_robots(labels, robots));

@@ -13,6 +13,7 @@ void add_score_command(CLI::App& app, int& exit_code) {
   add_score_locate_command(*score, exit_code);
   add_score_fuse_command(*score, exit_code);
   add_score_rendered_command(*score, exit_code);
+  add_score_shirts_command(*score, exit_code);
   add_score_mrclam_command(*score, exit_code);
   add_score_refbox_game_command(*score, exit_code);
 }

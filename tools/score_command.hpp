@@ -24,6 +24,10 @@ void add_score_locate_command(CLI::App& score, int& exit_code);
 /// Exit code 0, 2 on bad input.
 void add_score_rendered_command(CLI::App& score, int& exit_code);
 
+/// Adds `score shirts`: one JSON line per pair of shirts, per range and for all. Exit code 0, 2 on
+/// bad input.
+void add_score_shirts_command(CLI::App& score, int& exit_code);
+
 /// Adds `score fuse`: one JSON line per scenario and estimator. Exit code 0, 2 on bad input.
 void add_score_fuse_command(CLI::App& score, int& exit_code);
 

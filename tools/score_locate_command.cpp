@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "tools/output_folder.hpp"
 #include "tools/score_command.hpp"
 #include "tools/score_histogram.hpp"
+#include "vision/image.hpp"
+#include "vision/resized_camera.hpp"
 
 namespace teamsight::tools {
 
@@ -28,6 +31,8 @@ using locate_score::Tally;
 using nlohmann::ordered_json;
 
 constexpr double kDegrees = 57.29577951308232;
+constexpr std::uint32_t kLeastSide = 120;  // px; below, a line is no wider than a pixel
+constexpr std::uint32_t kMostSide = 4096;  // px
 
 struct ScoreLocateOptions {
   std::string camera{"config/cameras/sim-640.textproto"};
@@ -35,6 +40,7 @@ struct ScoreLocateOptions {
   std::string other_field{"config/fields/kassel-lab.textproto"};
   std::string paper_field{"config/fields/robocup-2001.textproto"};
   std::vector<std::string> cases{"noise", "hardware", "faults", "drive", "paper"};
+  std::vector<std::uint32_t> size;
   std::size_t poses{1000};
   std::uint32_t seed{1};
   bool without_rivals{false};
@@ -81,6 +87,29 @@ std::string cell(const std::optional<double>& value) {
   return value ? fmt::format("{:8.2f}", *value) : std::string(8, ' ');
 }
 
+void print(const CaseResult& result, const locate_score::PointErrors& points) {
+  ordered_json line;
+  line["case"] = result.name;
+  line["detail"] = "line points";
+  line["frames"] = points.frames();
+  line["per_frame"] = rounded(points.points_per_frame());
+  line["off_paint_share"] = rounded(points.share_off_paint());
+  line["median_mm"] = rounded(1e3 * points.quantile(0.5));
+  line["rms_mm"] = rounded(1e3 * points.rms());
+  line["p95_mm"] = rounded(1e3 * points.quantile(0.95));
+  line["over_claimed"] = rounded(points.over_claimed());
+  std::cout << line.dump() << std::endl;
+  std::cerr << fmt::format(
+      "line points: {:.0f} a frame, {:.2f} % off the paint; distance {:.1f} mm in the median, "
+      "{:.1f} RMS, 95 % within {:.1f}; {} of what is claimed\n",
+      points.points_per_frame(),
+      100.0 * points.share_off_paint(),
+      1e3 * points.quantile(0.5),
+      1e3 * points.rms(),
+      1e3 * points.quantile(0.95),
+      cell(points.over_claimed()));
+}
+
 void print(const CaseResult& result) {
   std::cerr << fmt::format(
       "\n{} {}\n{:18} {:>6} {:>9} {:>8} {:>8} {:>9} {:>8} {:>15} {:>8} {:>8} {:>9}\n",
@@ -119,6 +148,7 @@ void print(const CaseResult& result) {
         cell(tally.bound_ratio()),
         tally.time_quantile(0.5));
   }
+  if (result.points) print(result, *result.points);
 }
 
 locate_score::Recoveries recoveries_of(const locate_score::DriveResult& drive,
@@ -180,9 +210,21 @@ void score_paper(const ScoreLocateOptions& options, CaseOptions cases) {
   folder.publish();
 }
 
+vision::CameraParameters camera_of(const ScoreLocateOptions& options) {
+  const vision::CameraParameters camera = settings::load_camera(options.camera);
+  if (options.size.empty()) return camera;
+  const std::uint32_t width_px = options.size[0];
+  const std::uint32_t height_px = options.size[1];
+  if (!vision::has_even_size(camera.format, width_px, height_px)) {
+    throw std::runtime_error(
+        fmt::format("--size: found {} {}, expected even numbers of pixels", width_px, height_px));
+  }
+  return vision::resized(camera, width_px, height_px);
+}
+
 int score_locate(const ScoreLocateOptions& options) {
   CaseOptions cases;
-  cases.camera = settings::load_camera(options.camera);
+  cases.camera = camera_of(options);
   cases.field = settings::load_field(options.field);
   cases.other_field = settings::load_field(options.other_field);
   cases.poses = options.poses;
@@ -210,6 +252,11 @@ void add_score_locate_command(CLI::App& score, int& exit_code) {
   CLI::App* command = score.add_subcommand(
       "locate", "Self-localisation on rendered frames, beside bounds and other methods");
   command->add_option("--camera", options->camera, "camera file, YUYV or UYVY");
+  command
+      ->add_option("--size", options->size, "of the pictures, px: the same eye with another sensor")
+      ->type_name("WIDTH HEIGHT")
+      ->expected(2)
+      ->check(CLI::Range(kLeastSide, kMostSide));
   command->add_option("--field", options->field, "field file");
   command->add_option("--other-field", options->other_field, "field file of another size");
   command->add_option(

@@ -10,7 +10,6 @@
 
 #include "geometry/angle.hpp"
 #include "vision/lanes.hpp"
-#include "vision/shirt_votes.hpp"
 
 namespace teamsight::vision {
 
@@ -28,6 +27,7 @@ constexpr std::size_t kMostVeiled = 24;  // samples of a base that looks like da
 constexpr float kFewestCarpet = 8.0F;    // samples that tell how bright the carpet is there
 constexpr float kVeiled = 0.75F;         // of the carpet's luminance
 constexpr double kNarrowest = 0.07;      // m
+constexpr double kNarrowestLegs = 0.05;  // m, of the parts of legs that the lines show
 constexpr double kLegWidth = 0.24;       // m; narrower things are legs
 constexpr double kLegConfidence = 0.4;   // of what is narrow and well inside the carpet
 constexpr double kStride = 0.6;          // m between the legs of one person
@@ -107,6 +107,7 @@ ObstacleDetector::ObstacleDetector(const ObstacleRules& rules,
   free_.reserve(n);
   groups_.reserve(n + 1);
   found_.reserve(n + 1);
+  parts_.reserve(n + 1);
 }
 
 Foot ObstacleDetector::foot_of(const RadialScan& scan,
@@ -173,26 +174,13 @@ ColourClass ObstacleDetector::shirt_of(const FootGroup& group,
   return best;
 }
 
-void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
-  const std::size_t count = group.last - group.first + 1;
-  const std::size_t standing = feet_.standing_in(group);
-  if (standing < kFewestRays || 5 * standing < 3 * count) return;
-  const double width = feet_.width_of(group);
+ObstacleCandidate ObstacleDetector::candidate_of(const FootGroup& group,
+                                                 double width,
+                                                 const CarpetHull& hull) const {
   const Foot& nearest = feet_[feet_.nearest_in(group)];
-  const bool touches = nearest.distance < 0.6;  // the own body hides its sides
-  if (width < kNarrowest || (width > 5.0 * rules_.robot_radius && !touches)) return;
-  const double smaller = feet_.prominence(group).first;
-  const ColourClass shirt = shirt_of(group, source.scan, source.lines);
-  const ObstacleTraits traits = traits_of(group, source);
-  const double likely = probability(rules_.model, traits);
-  const bool is_robot = likely >= rules_.model.least;
-  if (!is_robot && (width > kLegWidth || smaller < kWellInside)) return;
   ObstacleCandidate candidate;
-  candidate.pixels.traits = traits;
   ObstacleSighting& sighting = candidate.sighting;
   sighting.width = width;
-  candidate.pixels.kind = is_robot ? ObstacleKind::kRobot : ObstacleKind::kLegs;
-  candidate.pixels.shirt = shirt;
   candidate.azimuth =
       wrap_angle(feet_[group.first].azimuth +
                  0.5 * angle_difference(feet_[group.last].azimuth, feet_[group.first].azimuth));
@@ -200,7 +188,7 @@ void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
   const Eigen::Vector2d front = feet_.front_of(group);
   candidate.pixels.u_px = front.x();
   candidate.pixels.v_px = front.y();
-  candidate.pixels.on_carpet = nearest.sample < source.hull.end(nearest.index);
+  candidate.pixels.on_carpet = nearest.sample < hull.end(nearest.index);
   const Eigen::Vector2d away{std::cos(candidate.azimuth), std::sin(candidate.azimuth)};
   const Eigen::Vector2d across{-away.y(), away.x()};
   sighting.p_RO = Point<Robot>::from(nearest.distance * away);
@@ -208,12 +196,68 @@ void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
   const double sigma_across = std::max(0.03, 0.15 * sighting.width);
   sighting.cov_R = sigma_away * sigma_away * away * away.transpose() +
                    sigma_across * sigma_across * across * across.transpose();
-  sighting.confidence = is_robot ? likely : kLegConfidence;
+  candidate.pixels.kind = ObstacleKind::kLegs;
+  sighting.confidence = kLegConfidence;
+  return candidate;
+}
+
+void ObstacleDetector::add(const FootGroup& group, const TraitSource& source) {
+  const std::size_t count = group.last - group.first + 1;
+  const std::size_t standing = feet_.standing_in(group);
+  if (5 * standing < 3 * count) return;
+  const double width = feet_.width_of(group);
+  const double smaller = feet_.prominence(group).first;
+  if (standing < kFewestRays || width < kNarrowest) {
+    if (smaller >= kWellInside) {
+      parts_.push_back({candidate_of(group, width, source.hull), standing});
+    }
+    return;
+  }
+  const Foot& nearest = feet_[feet_.nearest_in(group)];
+  const bool touches = nearest.distance < 0.6;  // the own body hides its sides
+  if (width > 5.0 * rules_.robot_radius && !touches) return;
+  const ObstacleTraits traits = traits_of(group, source);
+  const double likely = probability(rules_.model, traits);
+  const bool is_robot = likely >= rules_.model.least;
+  if (!is_robot && (width > kLegWidth || smaller < kWellInside)) return;
+  ObstacleCandidate candidate = candidate_of(group, width, source.hull);
+  candidate.pixels.traits = traits;
+  candidate.pixels.shirt = shirt_of(group, source.scan, source.lines);
   // People wear what they like.
   if (is_robot) {
-    sighting.teammate_likelihood = teammate_likelihood(shirt_votes(group, source, rules_.shirts));
+    candidate.pixels.kind = ObstacleKind::kRobot;
+    candidate.sighting.confidence = likely;
+    candidate.pixels.votes = shirt_votes(group, source, rules_.shirts);
+    candidate.sighting.teammate_likelihood = teammate_likelihood(candidate.pixels.votes);
   }
   found_.push_back(candidate);
+}
+
+// Shoe, ankle and shin of a leg end on lines of sight at places too far apart to be one foot. So
+// small a thing is noise by itself; with others within a stride it is legs, at the nearest.
+void ObstacleDetector::join_parts() {
+  const auto distance_between = [](const ObstacleCandidate& a, const ObstacleCandidate& b) {
+    return (a.sighting.p_RO.vector() - b.sighting.p_RO.vector()).norm();
+  };
+  std::ranges::sort(parts_, {}, [](const LegPart& part) { return part.candidate.distance; });
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    ObstacleCandidate legs = parts_[i].candidate;
+    std::size_t lines = 0;
+    double width = 0.0;
+    for (std::size_t j = i; j < parts_.size(); ++j) {
+      if (distance_between(parts_[j].candidate, legs) > kStride) continue;
+      lines += parts_[j].lines;
+      width += parts_[j].candidate.sighting.width;
+    }
+    if (lines < kFewestRays || width < kNarrowestLegs) continue;
+    // What belongs to a thing that is told already, legs found just now among them.
+    const bool is_told = std::ranges::any_of(found_, [&](const ObstacleCandidate& other) {
+      return distance_between(other, legs) < kStride;
+    });
+    if (is_told) continue;
+    legs.sighting.width = width;
+    found_.push_back(legs);
+  }
 }
 
 // The legs of one person are one obstacle, at the nearer foot.
@@ -238,6 +282,7 @@ std::span<const ObstacleCandidate> ObstacleDetector::find(const RadialScan& scan
   feet_.clear();
   free_.clear();
   found_.clear();
+  parts_.clear();
   const auto radial = lines.radial();
   for (std::size_t i = 0; i < radial.size(); ++i) {
     Foot foot = foot_of(scan, lines, i);
@@ -249,6 +294,7 @@ std::span<const ObstacleCandidate> ObstacleDetector::find(const RadialScan& scan
   feet_.collect(rules_.robot_radius, groups_);
   const TraitSource source{feet_, scan, lines, hull, rules_.robot_radius};
   for (const FootGroup& group : groups_) add(group, source);
+  join_parts();
   join_legs();
   return found_;
 }

@@ -14,6 +14,7 @@
 #include "vision/obstacle_traits.hpp"
 #include "vision/radial_scan.hpp"
 #include "vision/scan_lines.hpp"
+#include "vision/shirt_votes.hpp"
 #include "vision/team_shirts.hpp"
 
 namespace teamsight::vision {
@@ -37,6 +38,7 @@ struct ObstaclePixels {
   ObstacleKind kind{ObstacleKind::kRobot};
   ColourClass shirt{ColourClass::kNone};  ///< the commonest strong colour above its foot
   ObstacleTraits traits{};
+  ShirtVotes votes{};  ///< a robot's lines that show a team's shirt
   /// Its foot lies within the convex hull of the carpet that is seen.
   bool on_carpet{true};
 
@@ -77,11 +79,22 @@ class ObstacleDetector {
   [[nodiscard]] std::span<const FreeSpace> free_space() const { return free_; }
 
  private:
+  /// Too little to be anything by itself.
+  struct LegPart {
+    ObstacleCandidate candidate;
+    std::size_t lines{0};  ///< that stand
+  };
+
   [[nodiscard]] Foot foot_of(const RadialScan& scan,
                              const ScanLines& lines,
                              std::size_t index) const;
+  void join_parts();
   void join_legs();
   void add(const FootGroup& group, const TraitSource& source);
+  /// Legs with their foot at the group's; a robot has to be made of them.
+  [[nodiscard]] ObstacleCandidate candidate_of(const FootGroup& group,
+                                               double width,
+                                               const CarpetHull& hull) const;
   [[nodiscard]] ColourClass shirt_of(const FootGroup& group,
                                      const RadialScan& scan,
                                      const ScanLines& lines) const;
@@ -94,6 +107,7 @@ class ObstacleDetector {
   std::vector<FootGroup> groups_;
   std::vector<FreeSpace> free_;
   std::vector<ObstacleCandidate> found_;
+  std::vector<LegPart> parts_;
 };
 
 }  // namespace teamsight::vision

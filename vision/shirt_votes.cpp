@@ -58,10 +58,20 @@ ShirtVotes shirt_votes(const FootGroup& group,
   return votes;
 }
 
-double teammate_likelihood(const ShirtVotes& votes) {
-  const auto own = static_cast<double>(votes.own);
-  const auto theirs = static_cast<double>(votes.theirs);
-  return (own + 1.0) / (own + theirs + 2.0);
+double teammate_likelihood(const ShirtVotes& votes, const VoteModel& model) {
+  // Both teams' chances of just these votes, one over the other: of their gamma functions all but
+  // these factors cancel.
+  const double sum = 1.0 / model.correlation - 1.0;
+  const double right = sum * (1.0 - model.wrong);
+  const double wrong = sum * model.wrong;
+  double odds = 1.0;
+  for (std::size_t i = 0; i < votes.own; ++i) {
+    odds *= (right + static_cast<double>(i)) / (wrong + static_cast<double>(i));
+  }
+  for (std::size_t i = 0; i < votes.theirs; ++i) {
+    odds *= (wrong + static_cast<double>(i)) / (right + static_cast<double>(i));
+  }
+  return 1.0 / (1.0 + 1.0 / odds);  // also of odds beyond any number
 }
 
 }  // namespace teamsight::vision

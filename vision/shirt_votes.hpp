@@ -22,10 +22,19 @@ struct ShirtVotes {
                                      const TraitSource& source,
                                      const TeamShirts& shirts);
 
-/// By the rule of succession: each line is a look of its own, and any share of right ones is as
-/// probable as another beforehand.
+/// How far the lines of one shirt may be believed. They are no looks of their own: light, fabric
+/// and what stands before a shirt mislead them together.
+struct VoteModel {
+  double wrong{0.05};       ///< share of all lines that show the other team's colour
+  double correlation{0.6};  ///< of two lines of one shirt, in (0, 1)
+};
+
+/// Shirts differ in how large a share of their lines shows the wrong colour (a beta distribution
+/// with that mean and correlation, alike for both teams), so the first line says most and
+/// further ones that agree say little. The model's numbers lie among those that `teamsight score
+/// shirts --fit` finds in other lights and paints: see README.md.
 ///
-/// @return in (0, 1); 0.5 without votes
-[[nodiscard]] double teammate_likelihood(const ShirtVotes& votes);
+/// @return in (0, 1), if either team is as probable beforehand; 0.5 without votes
+[[nodiscard]] double teammate_likelihood(const ShirtVotes& votes, const VoteModel& model = {});
 
 }  // namespace teamsight::vision

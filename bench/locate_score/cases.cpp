@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include <fmt/format.h>
+
 #include "bench/locate_score/methods.hpp"
 #include "bench/locate_score/rendered_view.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double kMargin = 0.3;  // m, of the poses from the outer lines
 constexpr std::size_t kRobots = 10;
+constexpr double kGlareRadius = 60.0 / 640.0;  // shares of the picture's width
 
 Pose<Field, Robot> draw_prior(const Pose<Field, Robot>& truth, std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -28,6 +31,7 @@ struct Plan {
   bool has_glare{false};
   bool with_bound{false};
   Spoil spoil{};
+  PointErrors* errors{nullptr};  ///< nothing: they are not wanted
 };
 
 std::vector<Point<Field>> draw_robots(const Plan& plan,
@@ -50,16 +54,20 @@ void play(const Plan& plan,
           Methods& methods,
           std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const vision::LineMap map(field);
   std::vector<vision::LinePoint> points;
   for (std::size_t i = 0; i < plan.poses; ++i) {
     const Pose<Field, Robot> truth = draw_pose(field, kMargin, random);
     view.draw(truth, draw_robots(plan, truth, random));
     if (plan.has_glare) {
       const auto image = view.image();
-      view.blind({unit(random) * image.width_px, unit(random) * image.height_px, 60.0});
+      view.blind({unit(random) * image.width_px,
+                  unit(random) * image.height_px,
+                  kGlareRadius * image.width_px});
     }
     const auto seen = view.line_points();
     points.assign(seen.begin(), seen.end());
+    if (plan.errors != nullptr) plan.errors->add(map, truth, points, view.head().eye_height);
     if (plan.spoil) plan.spoil(points, truth, random);
     methods.ask({truth, draw_prior(truth, random), points}, plan.with_bound);
   }
@@ -114,8 +122,10 @@ CaseResult run_noise(const CaseOptions& options) {
   Plan plan;
   plan.poses = options.poses;
   plan.with_bound = true;
+  PointErrors errors;
+  plan.errors = &errors;
   play(plan, view, options.field, methods, random);
-  return {"noise", "rendered frames", methods.tallies()};
+  return {"noise", "rendered frames", methods.tallies(), errors};
 }
 
 CaseResult run_hardware(const CaseOptions& options, const CalibrationRemainder& remainder) {
@@ -158,7 +168,8 @@ std::vector<CaseResult> run_faults(const CaseOptions& options,
   part("50 % false white", {.spoil = falsify(0.5)});
   part("6 robots around", {.robots = 6});
   part("head leans, sigma 0.4 degrees", {.spoil = lean(view.head().eye_height)});
-  part("glare, 60 px", {.has_glare = true});
+  part(fmt::format("glare, {:.0f} px", kGlareRadius * options.camera.width_px),
+       {.has_glare = true});
   RenderedView elsewhere(
       options.camera, options.camera, options.other_field, options.pixel_noise_sigma);
   std::mt19937 random(options.seed + 30);

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/locate_score/line_view.hpp"
+#include "bench/locate_score/point_errors.hpp"
 #include "bench/locate_score/spoils.hpp"
 #include "bench/locate_score/tally.hpp"
 #include "geometry/field_model.hpp"
@@ -31,6 +33,7 @@ struct CaseResult {
   std::string name;    ///< of the case: "noise", "hardware", "faults", "drive"
   std::string detail;  ///< of the part; empty if there is one only
   std::map<std::string, Tally> tallies;
+  std::optional<PointErrors> points{};  ///< of rendered frames seen through an exact camera file
 };
 
 /// (a) Points drawn on the paint with independent errors: there the bound means what it says.

@@ -1,10 +1,12 @@
 // tests/bench/locate_score_test.cpp: how answers are counted, and what is done to line points.
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "bench/locate_score/point_errors.hpp"
 #include "bench/locate_score/spoils.hpp"
 #include "bench/locate_score/tally.hpp"
 
@@ -45,6 +47,31 @@ TEST(LocateTally, CountsTheImageAsWrongForWhoKnowsTheHalf) {
   tally.add({mirrored(truth, {0.0, 0.0}), {}, 0.0}, truth, Eigen::Vector2d::Zero(), std::nullopt);
 
   EXPECT_EQ(tally.failures(), 1U);
+}
+
+TEST(LocatePointErrors, MeasureDistancesFromThePaintAtTheTruth) {
+  FieldModel field;
+  field.length = 10.0;
+  field.width = 10.0;
+  field.line_width = 0.125;
+  field.lines.push_back({"middle", {0.0, -4.0}, {0.0, 4.0}, LineFamily::kOther});
+  const vision::LineMap map(field);
+  std::vector<vision::LinePoint> points(4);
+  const std::array<double, 4> offsets{0.01, -0.02, 0.03, 1.5};  // the last one is on no paint
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].p_R = {1.0 + offsets[i], 0.2};
+    points[i].cov_R = 1e-4 * Eigen::Matrix2d::Identity();
+  }
+  PointErrors errors;
+
+  errors.add(map, {-1.0, 0.0, 0.0}, points, 0.75);
+
+  EXPECT_DOUBLE_EQ(errors.points_per_frame(), 4.0);
+  EXPECT_DOUBLE_EQ(errors.share_off_paint(), 0.25);
+  EXPECT_NEAR(errors.quantile(0.5), 0.02, 1e-9);
+  EXPECT_NEAR(errors.rms(), std::sqrt(14e-4 / 3.0), 1e-9);
+  ASSERT_TRUE(errors.over_claimed().has_value());
+  EXPECT_NEAR(*errors.over_claimed(), std::sqrt(14.0 / 3.0), 0.01);
 }
 
 std::vector<vision::LinePoint> a_carpet_of_points() {

@@ -76,10 +76,30 @@ TEST(DetectionScore, JudgesEachBallForTraining) {
 TEST(DetectionScore, FindsAPersonByEitherFoot) {
   const ImageLabels labels{"x", {}, {}, {{100, 100, true}, {300, 300, true}}};
 
-  const Tally tally = score_people(labels, {{135, 100, true}, {95, 100, true}});
+  const Tally tally = score_people(labels, {}, {{135, 100, true}, {95, 100, true}});
 
   EXPECT_EQ(tally.labelled, 2U);
   EXPECT_EQ(tally.found, 1U);
+  EXPECT_EQ(tally.wrong, 0U);
+}
+
+TEST(DetectionScore, FindsAPersonThatIsTakenForARobotButNotByARobotBeside) {
+  const ImageLabels labels{"x", {}, {{100, 130, true}}, {{100, 100, true}}};
+  const Detection robot{101, 128, true};
+
+  EXPECT_EQ(score_people(labels, {robot}, {}).found, 0U);
+  EXPECT_EQ(score_people(labels, {robot, {101, 99, true}}, {}).found, 1U);
+  EXPECT_EQ(people_found(labels, {robot}, {}), std::vector<bool>{false});
+}
+
+TEST(DetectionScore, CountsLegsWhereNobodyStands) {
+  const ImageLabels labels{"x", {}, {{100, 100, true}}, {}};
+
+  const Tally tally = score_people(
+      labels, {{300, 300, true}}, {{120, 100, true}, {200, 200, true}, {400, 100, false}});
+
+  EXPECT_EQ(tally.wrong, 1U);
+  EXPECT_EQ(tally.outside, 1U);
 }
 
 TEST(DetectionScore, KnowsWilsonsInterval) {

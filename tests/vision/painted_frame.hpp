@@ -73,22 +73,24 @@ struct Scene {
   std::optional<Point<Robot>> pillar;   // black, radius 0.25 m
   Paint shirt{kBlack};                  // of the pillar, from 0.25 to 0.55 m
   std::vector<Point<Robot>> pillars{};  // more of them, black
+  double pillars_radius{0.25};          // m, of those
 };
 
 // What the ray meets of a pillar: the way to the floor passes over its disc.
 inline std::optional<Paint> look_at_pillar(const Ray<Robot>& ray,
                                            const Point<Robot>& p_R,
-                                           Paint shirt) {
+                                           Paint shirt,
+                                           double radius = 0.25) {
   const auto floor = meet_plane(ray, 0.0);
   const Eigen::Vector2d p = p_R.vector();
   const Eigen::Vector2d away = ray.direction.head<2>().normalized();
   const double along = p.dot(away);
   const double reach = floor ? floor->vector().norm() : 1e9;
-  if (along <= 0.0 || (p - along * away).norm() >= 0.25 || reach <= p.norm() - 0.25) {
+  if (along <= 0.0 || (p - along * away).norm() >= radius || reach <= p.norm() - radius) {
     return std::nullopt;
   }
   const double slope = ray.direction.z() / ray.direction.head<2>().norm();
-  const double height = ray.origin.z + slope * (along - 0.25);
+  const double height = ray.origin.z + slope * (along - radius);
   return height > 0.25 && height < 0.55 ? shirt : kBlack;
 }
 
@@ -100,7 +102,7 @@ inline Paint look(const Ray<Robot>& ray, const FieldModel& field, const Scene& s
   }
   const auto floor = meet_plane(ray, 0.0);
   for (const Point<Robot>& pillar : scene.pillars) {
-    if (const auto paint = look_at_pillar(ray, pillar, kBlack)) return *paint;
+    if (const auto paint = look_at_pillar(ray, pillar, kBlack, scene.pillars_radius)) return *paint;
   }
   if (scene.pillar) {
     if (const auto paint = look_at_pillar(ray, *scene.pillar, scene.shirt)) return *paint;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,29 @@ TEST(PerceivedObstacle, KnowsOnlyTheOthersWhereTheOwnShirtIsNotGiven) {
 TEST(PerceivedObstacle, HasNoEvidenceWithoutShirtsOrWordOfThem) {
   EXPECT_EQ(likelihood_in(kBlack, {ColourClass::kCyan, ColourClass::kMagenta}), 0.5);
   EXPECT_EQ(likelihood_in(kCyan, {}), 0.5);
+}
+
+// What a large picture shows of thin legs, each on two lines of sight.
+std::vector<ObstaclePixels> things_at(const std::vector<Point<Robot>>& legs) {
+  Scene scene{{-1.2, 0.8, 0.6}, std::nullopt, std::nullopt};
+  scene.pillars = legs;
+  scene.pillars_radius = 0.022;
+  Perception perception(large_camera(), test_field());
+  const auto bytes = frame_of(large_camera(), test_field(), scene);
+  const auto seen = perception.see({bytes, 1280, 1024, PixelFormat::kYuyv}, {});
+  return seen ? (*seen)->obstacle_pixels : std::vector<ObstaclePixels>{};
+}
+
+TEST(PerceivedObstacle, TakesThinPartsWithinAStrideForOnePersonsLegs) {
+  const Point<Robot> left{1.5, 0.3};
+  const Point<Robot> right{1.65, 0.05};
+
+  const auto both = things_at({left, right});
+
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_EQ(both[0].kind, ObstacleKind::kLegs);
+  EXPECT_TRUE(things_at({left}).empty());
+  EXPECT_TRUE(things_at({left, {-1.5, 0.05}}).empty());
 }
 
 TEST(PerceivedObstacle, SaysTheNearestSixteenObstaclesAndHowManyMoreThereAre) {

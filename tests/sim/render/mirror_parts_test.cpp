@@ -56,8 +56,10 @@ constexpr std::uint8_t kRing = 1;    // part of the mirror
 
 /// A robot on the field that looks through such an eye.
 struct Eye {
-  explicit Eye(double inner_radius_px)
-      : camera(eye_with_ring(inner_radius_px)),
+  explicit Eye(double inner_radius_px) : Eye(eye_with_ring(inner_radius_px)) {}
+
+  explicit Eye(const vision::CameraParameters& of)
+      : camera(of),
         renderer(camera, field, with_body()),
         perception(camera, field) {}
 
@@ -67,12 +69,18 @@ struct Eye {
     return look;
   }
 
-  const vision::FrameObservation& see(const std::vector<Point3<Robot>>& balls) {
+  const vision::FrameObservation& see(const std::vector<Point3<Robot>>& balls,
+                                      const std::vector<Point<Robot>>& robots = {}) {
     Scene scene;
     scene.X_FR = {1.5, 1.2, 0.4};
     for (const Point3<Robot>& p_R : balls) {
       const Point<Field> p_F = scene.X_FR * Point<Robot>{p_R.x, p_R.y};
       scene.balls.push_back({{p_F.x, p_F.y, p_R.z}, {}});
+    }
+    for (const Point<Robot>& p_R : robots) {
+      SceneRobot robot;
+      robot.p_F = scene.X_FR * p_R;
+      scene.robots.push_back(robot);
     }
     renderer.draw(scene, random, bytes);
     const auto seen = perception.see({bytes, camera.width_px, camera.height_px, camera.format},
@@ -185,6 +193,61 @@ TEST(BallInMirrorParts, IsNotInventedInTheRing) {
   Eye eye(kLensAlone);
 
   EXPECT_TRUE(eye.see({}).balls.empty());
+}
+
+// The shipped camera file.
+struct ShippedRing : testing::Test {
+  Eye eye{settings::load_camera(test::source_path("config/cameras/sim-ring.textproto"))};
+};
+
+TEST_F(ShippedRing, HasTheDesignsParts) {
+  const vision::CameraModel model(eye.camera);
+  const vision::RayTable rays(model, eye.camera.width_px, eye.camera.height_px);
+  const vision::CameraModel designed(eye_with_ring(kLensAlone));
+
+  EXPECT_TRUE(vision::MirrorParts(rays, model.centre()).are_several());
+  for (const double radius : {60.0, 200.0, 340.0, 385.0, 398.0, 450.0, 505.0}) {
+    const auto ray = model.ray({639.5 + radius, 511.5});
+    const auto wanted = designed.ray({639.5 + radius, 511.5});
+    ASSERT_TRUE(ray && wanted) << radius;
+    EXPECT_LT((ray->direction - wanted->direction).norm(), 1e-3) << radius;
+  }
+}
+
+TEST_F(ShippedRing, FindsABallInTheRingAndOneFarAway) {
+  const Point3<Robot> near = ball_at(0.42);
+  const Point3<Robot> far{-2.5, 0.5, 0.11};
+
+  const vision::FrameObservation& seen = eye.see({near, far});
+
+  ASSERT_EQ(seen.balls.size(), 2U);
+  const bool near_first = miss_of(seen.balls[0], near) < miss_of(seen.balls[1], near);
+  EXPECT_LT(miss_of(seen.balls[near_first ? 0 : 1], near), 0.03);
+  EXPECT_LT(miss_of(seen.balls[near_first ? 1 : 0], far), 0.03);
+  EXPECT_EQ(seen.ball_pixels[near_first ? 0 : 1].mirror_part, kRing);
+  EXPECT_EQ(seen.ball_pixels[near_first ? 1 : 0].mirror_part, vision::MirrorParts::kInner);
+}
+
+TEST_F(ShippedRing, FindsItsPlaceByLinesAndTheRobotsAroundIt) {
+  const std::vector<Point<Robot>> robots{{1.4, 0.3}, {-0.8, -1.8}};
+
+  const vision::FrameObservation& seen = eye.see({}, robots);
+
+  EXPECT_GT(seen.line_points.size(), 100U);
+  EXPECT_NE(seen.posture.status, PostureStatus::kLost);
+  // Nobody has said which half it stands on, and both look alike.
+  const Pose<Field, Robot> there = seen.posture.X_FR.x() > 0.0
+                                       ? seen.posture.X_FR
+                                       : mirrored(seen.posture.X_FR, eye.field.centre);
+  EXPECT_NEAR(there.x(), 1.5, 0.02);
+  EXPECT_NEAR(there.y(), 1.2, 0.02);
+  EXPECT_NEAR(there.theta(), 0.4, 0.005);
+  ASSERT_EQ(seen.obstacles.size(), robots.size());
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const Eigen::Vector2d middle = robots[i].vector();
+    const Eigen::Vector2d foot = middle * (1.0 - 0.25 / middle.norm());
+    EXPECT_LT((seen.obstacles[i].p_RO.vector() - foot).norm(), 0.1) << i;
+  }
 }
 
 }  // namespace
