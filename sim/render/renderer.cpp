@@ -53,6 +53,11 @@ Point3<Field> place_of(const Scene& scene, std::size_t i, double seconds) {
   return {p_F.x, p_F.y, 0.0};
 }
 
+Eigen::Quaternionf turn_in(const Pose<Robot, Field>& X_RF, const BallLook& look) {
+  const Eigen::AngleAxisd about(X_RF.theta(), Eigen::Vector3d::UnitZ());
+  return (about * look.turn_F).cast<float>();
+}
+
 }  // namespace
 
 Renderer::Renderer(const vision::CameraParameters& camera,
@@ -293,7 +298,10 @@ void Renderer::paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR
       paint_robot(scene.robots[i], p_R.on_floor());
     } else if (i < robots + balls) {
       const SceneBall& ball = scene.balls[i - robots];
-      paint_ball(fine_, sights_, p_R, ball.radius, ball.paint);
+      const BallLook& look = ball.look;
+      paint_ball(fine_,
+                 sights_,
+                 {p_R, ball.radius, look.paint, look.pattern, look.panels, turn_in(X_RF, look)});
     } else {
       paint_person(scene.people[i - robots - balls], p_R.on_floor());
     }

@@ -5,6 +5,7 @@
 
 #include "geometry/frames.hpp"
 #include "geometry/pose.hpp"
+#include "sim/render/ball_look.hpp"
 #include "sim/render/paint.hpp"
 
 namespace teamsight::sim {
@@ -22,7 +23,7 @@ struct SceneBall {
   Point3<Field> p_FB;     ///< its centre
   Velocity3<Field> v_FB;  ///< m/s
   double radius{0.11};    ///< m
-  Paint paint{240, 110, 20};
+  BallLook look{};
 };
 
 /// Somebody who stands there: two legs and a body.
