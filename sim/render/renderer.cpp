@@ -313,9 +313,22 @@ void Renderer::paint_robot(const SceneRobot& robot, const Point<Robot>& p_R) {
   const double h = robot.height;
   const double r = robot.radius;
   paint_cylinder(fine_, sights_, {p_R, r, 0.02, 0.4 * h, kBlack, kMetal});
+  if (robot.markers) paint_markers(*robot.markers, r, p_R);
   paint_cylinder(fine_, sights_, {p_R, 0.8 * r, 0.38 * h, 0.75 * h, robot.shirt, kBlack});
   paint_cylinder(fine_, sights_, {p_R, 0.2 * r, 0.7 * h, 0.93 * h, kBlack, kBlack});
   paint_cylinder(fine_, sights_, {p_R, 0.35 * r, 0.92 * h, h, kBlack, kBlack});
+}
+
+void Renderer::paint_markers(const Paint& paint, double radius, const Point<Robot>& p_R) {
+  constexpr double kHalf = 0.05;  // m
+  constexpr double kApart = 0.7;  // rad
+  const double towards_eye = std::atan2(-p_R.y, -p_R.x);
+  for (const double aside : {-kApart, 0.0, kApart}) {
+    const double side = towards_eye + aside;
+    const double out = radius - kHalf + 0.005;  // they show in front of the base
+    const Point<Robot> middle{p_R.x + out * std::cos(side), p_R.y + out * std::sin(side)};
+    paint_cylinder(fine_, sights_, {middle, kHalf, 0.05, 0.15, paint, paint});
+  }
 }
 
 void Renderer::paint_person(const ScenePerson& person, const Point<Robot>& p_R) {

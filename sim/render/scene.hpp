@@ -1,6 +1,7 @@
 // sim/render/scene.hpp: what stands and lies around one robot at one moment.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/frames.hpp"
@@ -17,6 +18,7 @@ struct SceneRobot {
   double radius{0.25};  ///< m
   double height{0.8};   ///< m
   Paint shirt{40, 70, 200};
+  std::optional<Paint> markers{};  ///< three patches of 0.1 m at the foot, towards the eye
 };
 
 struct SceneBall {
