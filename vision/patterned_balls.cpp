@@ -81,11 +81,10 @@ void PatternedBalls::look_along(const FrameTables& frame,
     }
     const ColourClass colour = class_of(classes[i], surfaces[i]);
     if (colour == ColourClass::kNone || !pattern_.has(colour)) continue;
-    if (last != ColourClass::kNone && last != colour) {
-      // It stands on the carpet: that ends not far in front of it.
-      if (apart(range, last_at, i) < kWindow && apart(range, bare_from, i) < kHighest) {
-        look_at(frame, solid_angle, {radial_line, last_at, i});
-      }
+    // It stands on the carpet: that ends not far in front of it.
+    if (last != ColourClass::kNone && last != colour && apart(range, last_at, i) < kWindow &&
+        apart(range, bare_from, i) < kHighest) {
+      look_at(frame, solid_angle, {radial_line, last_at, i});
     }
     last = colour;
     last_at = i;
@@ -99,9 +98,8 @@ void PatternedBalls::measure_radii(const FrameTables& frame, std::span<const flo
     for (std::size_t i = 0; i < range.count; ++i) {
       const float solid = solid_angle[pixels[i]];
       const double radius = angular_radius_at(frame.rays[pixels[i]], rules_.ball_radius);
-      if (solid > 0.0F) {
-        radius_px_[range.first + i] = static_cast<float>(radius) / std::sqrt(solid);
-      }
+      radius_px_[range.first + i] =
+          solid > 0.0F ? static_cast<float>(radius) / std::sqrt(solid) : 0.0F;
     }
   }
 }

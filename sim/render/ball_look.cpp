@@ -43,12 +43,12 @@ const std::array<Eigen::Vector3f, 10>& hexagon_normals() {
                                         Eigen::Vector3f(1.0F, 1.0F, -1.0F),
                                         Eigen::Vector3f(1.0F, -1.0F, 1.0F),
                                         Eigen::Vector3f(-1.0F, 1.0F, 1.0F),
-                                        Eigen::Vector3f(0.0F, kSmall, kGolden),
-                                        Eigen::Vector3f(0.0F, kSmall, -kGolden),
-                                        Eigen::Vector3f(kSmall, kGolden, 0.0F),
-                                        Eigen::Vector3f(kSmall, -kGolden, 0.0F),
-                                        Eigen::Vector3f(kGolden, 0.0F, kSmall),
-                                        Eigen::Vector3f(-kGolden, 0.0F, kSmall)};
+                                        Eigen::Vector3f(kSmall, 0.0F, kGolden),
+                                        Eigen::Vector3f(kSmall, 0.0F, -kGolden),
+                                        Eigen::Vector3f(0.0F, kGolden, kSmall),
+                                        Eigen::Vector3f(0.0F, -kGolden, kSmall),
+                                        Eigen::Vector3f(kGolden, kSmall, 0.0F),
+                                        Eigen::Vector3f(-kGolden, kSmall, 0.0F)};
     for (Eigen::Vector3f& normal : all) normal.normalize();
     return all;
   }();

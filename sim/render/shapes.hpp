@@ -29,7 +29,7 @@ struct Sphere {
   double radius{0.0};  ///< m
   Paint paint;
   BallPattern pattern{BallPattern::kPlain};
-  Paint panels;                                               ///< of the pattern
+  Paint panels{};                                             ///< of the pattern
   Eigen::Quaternionf turn_R{Eigen::Quaternionf::Identity()};  ///< from the ball's own frame to R
 };
 
