@@ -1,29 +1,11 @@
 // agent/shirt_complaint.cpp: see agent/shirt_complaint.hpp.
 #include "agent/shirt_complaint.hpp"
 
-#include <algorithm>
-
 namespace teamsight::agent {
 
 namespace {
 
 using vision::ColourClass;
-
-bool can_tell(const vision::ColourParameters& colours, ColourClass colour) {
-  switch (vision::method_of(colours)) {
-    case vision::ColourMethod::kTable:
-      return std::ranges::find(colours.table, colour) != colours.table.end();
-    case vision::ColourMethod::kCube:
-      return colours.cube.has_value() &&
-             std::ranges::find(colours.cube->classes, colour) != colours.cube->classes.end();
-    case vision::ColourMethod::kSamples:
-      break;
-  }
-  return std::ranges::find(colours.samples, colour, &vision::ColourSample::colour) !=
-             colours.samples.end() ||
-         std::ranges::find(colours.sectors, colour, &vision::HueSector::colour) !=
-             colours.sectors.end();
-}
 
 std::string name_of(ColourClass colour) {
   switch (colour) {

@@ -93,6 +93,38 @@ void check_method(const TextFile& text, const CameraFile::Colours& file) {
   }
 }
 
+void check_pattern(const TextFile& text,
+                   const CameraFile::Colours& file,
+                   const vision::ColourParameters& colours) {
+  constexpr std::size_t kFewest = 2;
+  for (std::size_t i = 0; i < colours.pattern.size(); ++i) {
+    const vision::ColourClass colour = colours.pattern[i];
+    const auto written = file.pattern().class_(static_cast<int>(i));
+    const std::string name =
+        CameraFile::Colours::Class_Name(static_cast<CameraFile::Colours::Class>(written));
+    const std::string key = "colours.pattern." + key_of("class", static_cast<int>(i));
+    const auto before = colours.pattern.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(colours.pattern.begin(), before, colour) != before) {
+      throw text.error(key, name + " again", "each class of the ball once");
+    }
+    if (colour == vision::ColourClass::kGreen) {
+      throw text.error(key, name, "a class that the carpet has not");
+    }
+    const bool is_grey =
+        colour == vision::ColourClass::kWhite || colour == vision::ColourClass::kBlack;
+    if (!is_grey && !can_tell(colours, colour)) {
+      throw text.error(
+          key, name + ", which no colour is of", "a class that a sample, hue, table or cube names");
+    }
+  }
+  if (file.has_pattern() && colours.pattern.size() < kFewest) {
+    throw text.error("colours.pattern",
+                     std::to_string(colours.pattern.size()) + " of the ball's classes",
+                     "at least 2, such as `class: WHITE class: BLACK`; a ball of one colour is "
+                     "told by samples of class BALL");
+  }
+}
+
 bool asks_for_colours(SensorKind kind) {
   return kind == SensorKind::kBumper || kind == SensorKind::kGoal || kind == SensorKind::kColour;
 }
@@ -143,6 +175,10 @@ vision::ColourParameters colours_of(const TextFile& text, const CameraFile::Colo
   if (file.has_cube()) colours.cube = cube_of(text, file.cube());
   if (file.has_method()) colours.method = method_of(file.method());
   check_method(text, file);
+  for (const int colour : file.pattern().class_()) {
+    colours.pattern.push_back(class_of(static_cast<CameraFile::Colours::Class>(colour)));
+  }
+  check_pattern(text, file, colours);
   if (file.has_light()) colours.light = light_of(text, file.light());
   return colours;
 }
@@ -199,6 +235,9 @@ void write_colours(const vision::ColourParameters& colours, CameraFile::Colours&
   }
   if (colours.method) out.set_method(file_method_of(*colours.method));
   if (colours.cube) write_cube(*colours.cube, *out.mutable_cube());
+  for (const vision::ColourClass colour : colours.pattern) {
+    if (const auto name = file_class_of(colour)) out.mutable_pattern()->add_class_(*name);
+  }
   if (colours.light) {
     write_look(colours.light->green, *out.mutable_light()->mutable_green());
     write_look(colours.light->white, *out.mutable_light()->mutable_white());

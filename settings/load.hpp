@@ -1,6 +1,7 @@
 // settings/load.hpp: settings files in, checked parameters out. The only header others need.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -73,6 +74,17 @@ struct PictureSettings {
   std::vector<Strut> struts;
 };
 
+/// What is painted on a simulated ball.
+struct BallPaintSettings {
+  /// Where the second colour is.
+  enum class Pattern : std::uint8_t { kPlain, kFootball, kOctants };
+  using Rgb = std::array<std::uint8_t, 3>;
+
+  Rgb paint{240, 110, 20};
+  Pattern pattern{Pattern::kPlain};
+  Rgb panels{20, 20, 20};
+};
+
 /// A simulated match (config/matches). Paths are absolute; the files exist.
 struct MatchSettings {
   std::filesystem::path field;
@@ -85,6 +97,7 @@ struct MatchSettings {
   double pixel_noise_sigma{3.0};  ///< grey levels
   std::string scenario;           ///< not checked: the simulator knows the names
   PictureSettings picture;
+  BallPaintSettings ball;
 };
 
 /// Reads a field file and turns the rulebook's letters into lines, arcs, spots and goals.

@@ -134,6 +134,25 @@ PictureSettings picture_of(const config::MatchFile::Picture& file) {
   return picture;
 }
 
+BallPaintSettings::Rgb rgb_of(const config::MatchFile::Ball::Rgb& file) {
+  return {static_cast<std::uint8_t>(file.red()),
+          static_cast<std::uint8_t>(file.green()),
+          static_cast<std::uint8_t>(file.blue())};
+}
+
+BallPaintSettings ball_of(const TextFile& text, const config::MatchFile::Ball& file) {
+  using File = config::MatchFile::Ball;
+  BallPaintSettings ball;
+  if (file.has_paint()) ball.paint = rgb_of(file.paint());
+  if (file.has_panels()) ball.panels = rgb_of(file.panels());
+  if (file.pattern() == File::FOOTBALL) ball.pattern = BallPaintSettings::Pattern::kFootball;
+  if (file.pattern() == File::OCTANTS) ball.pattern = BallPaintSettings::Pattern::kOctants;
+  if (file.has_panels() && file.pattern() == File::PLAIN) {
+    throw text.error("ball.panels", "panels of a plain ball", "ball.pattern: FOOTBALL or OCTANTS");
+  }
+  return ball;
+}
+
 }  // namespace
 
 MatchSettings load_match(const std::filesystem::path& path) {
@@ -151,6 +170,7 @@ MatchSettings load_match(const std::filesystem::path& path) {
   match.pixel_noise_sigma = file.pixel_noise_sigma();
   match.scenario = file.scenario();
   match.picture = picture_of(file.picture());
+  match.ball = ball_of(text, file.ball());
   return match;
 }
 

@@ -68,6 +68,31 @@ PictureParameters look_of(const settings::MatchSettings& match) {
   return look;
 }
 
+Paint paint_of(const settings::BallPaintSettings::Rgb& rgb) {
+  return {rgb[0], rgb[1], rgb[2]};
+}
+
+BallPattern pattern_of(settings::BallPaintSettings::Pattern pattern) {
+  using Pattern = settings::BallPaintSettings::Pattern;
+  switch (pattern) {
+    case Pattern::kFootball:
+      return BallPattern::kFootball;
+    case Pattern::kOctants:
+      return BallPattern::kOctants;
+    case Pattern::kPlain:
+      break;
+  }
+  return BallPattern::kPlain;
+}
+
+BallLook ball_of(const settings::BallPaintSettings& ball) {
+  BallLook look;
+  look.paint = paint_of(ball.paint);
+  look.pattern = pattern_of(ball.pattern);
+  look.panels = paint_of(ball.panels);
+  return look;
+}
+
 }  // namespace
 
 std::string scenario_help() {
@@ -109,7 +134,8 @@ Eye make_eye(const Setup& setup, std::size_t player, vision::PixelFormat format)
           {setup.parameters.ball.radius,
            setup.parameters.body.radius,
            setup.parameters.body.height,
-           people_around(setup.field, setup.parameters.seed)}};
+           people_around(setup.field, setup.parameters.seed),
+           ball_of(setup.match.ball)}};
 }
 
 }  // namespace teamsight::sim

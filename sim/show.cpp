@@ -53,7 +53,8 @@ void show(const MatchState& state, std::size_t player, const Bodies& bodies, Sce
   }
   scene.balls.clear();
   for (const Ball& ball : state.balls) {
-    scene.balls.push_back({ball.p_FB, ball.v_FB, bodies.ball_radius, SceneBall{}.paint});
+    scene.balls.push_back({ball.p_FB, ball.v_FB, bodies.ball_radius, bodies.ball});
+    scene.balls.back().look.turn_F = ball.turn_F;
   }
   scene.people = bodies.people;
 }

@@ -18,6 +18,7 @@ struct Bodies {
   double robot_radius{0.25};  ///< m
   double robot_height{0.8};   ///< m
   std::vector<ScenePerson> people;
+  BallLook ball{};  ///< of every ball; its turn is the match's
 };
 
 /// A low base, a tower and a camera: what hides no floor beyond 0.32 m from a mirror at 0.75 m.

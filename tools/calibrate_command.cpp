@@ -8,6 +8,7 @@
 #include "tools/calibrate_mask.hpp"
 #include "tools/calibrate_rings.hpp"
 #include "tools/calibrate_traits.hpp"
+#include "tools/score_patterned_command.hpp"
 
 namespace teamsight::tools {
 
@@ -17,6 +18,7 @@ void add_calibrate_command(CLI::App& app, int& exit_code) {
   add_calibrate_colours(*command, exit_code);
   add_calibrate_lines(*command, exit_code);
   add_calibrate_mask(*command, exit_code);
+  add_calibrate_patterned(*command, exit_code);
   add_calibrate_rings(*command, exit_code);
   add_calibrate_traits(*command, exit_code);
 }

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/score_patterned_command.hpp"
+
 namespace teamsight::tools {
 
 void add_score_command(CLI::App& app, int& exit_code) {
@@ -12,6 +14,7 @@ void add_score_command(CLI::App& app, int& exit_code) {
   add_score_detect_command(*score, exit_code);
   add_score_locate_command(*score, exit_code);
   add_score_fuse_command(*score, exit_code);
+  add_score_patterned_command(*score, exit_code);
   add_score_rendered_command(*score, exit_code);
   add_score_shirts_command(*score, exit_code);
   add_score_mrclam_command(*score, exit_code);

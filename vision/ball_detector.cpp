@@ -78,7 +78,8 @@ BallDetector::BallDetector(const RayTable& rays,
                            const BallRules& rules)
     : centre_(centre),
       rules_(rules),
-      parts_(rays, centre) {
+      parts_(rays, centre),
+      patterned_({rules.ball_radius, rules.pattern, rules.pattern_model}, centre) {
   const std::size_t pixels = std::size_t{rays.width()} * rays.height();
   solid_angle_.resize(pixels, 0.0F);
   visited_.resize(pixels, 0);
@@ -277,14 +278,11 @@ BallTraits BallDetector::traits_in(const FrameTables& frame, const BallBlob& blo
   return traits_of(blob, {frame, solid_angle_, parts_, centre_, near, rules_.ball_radius});
 }
 
-void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
-  if (blob.pixels < kFewestPixels || blob.solid_angle <= 0.0) return;
+BallCandidate BallDetector::candidate_of(const FrameTables& frame, const BallBlob& blob) const {
   BallCandidate candidate;
   candidate.pixels.traits = traits_in(frame, blob);
   candidate.pixels.mirror_part = blob.mirror_part;
   BallRay& ray = candidate.ray;
-  ray.confidence = probability(rules_.model, candidate.pixels.traits);
-  if (ray.confidence < rules_.model.least) return;
   const auto count = static_cast<double>(blob.pixels);
   ray.ray_R.origin = Point3<Robot>::from(blob.sum_origin / blob.solid_angle);
   ray.ray_R.direction = blob.sum_direction.normalized();
@@ -303,7 +301,55 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
   candidate.pixels.v_px = blob.sum_v / count;
   candidate.pixels.r_px = std::sqrt(count / std::numbers::pi);
   candidate.pixels.on_carpet = candidate.pixels.traits[kInsideCarpet] > 0.0;
-  found_.push_back(candidate);
+  return candidate;
+}
+
+void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
+  if (blob.pixels < kFewestPixels || blob.solid_angle <= 0.0) return;
+  const double confidence = probability(rules_.model, traits_in(frame, blob));
+  if (confidence < rules_.model.least) return;
+  found_.push_back(candidate_of(frame, blob));
+  found_.back().ray.confidence = confidence;
+}
+
+// All pixels whose middles lie within the disc.
+BallBlob BallDetector::blob_of(const FrameTables& frame, const PatternedDisc& disc) const {
+  const LocalView& view = disc.view;
+  const double reach_u = disc.radius * view.to_pixels.row(0).norm();
+  const double reach_v = disc.radius * view.to_pixels.row(1).norm();
+  BallBlob blob;
+  for (double v = std::ceil(view.middle.v - reach_v); v <= view.middle.v + reach_v; v += 1.0) {
+    for (double u = std::ceil(view.middle.u - reach_u); u <= view.middle.u + reach_u; u += 1.0) {
+      if (u < 0.0 || v < 0.0 || u >= frame.rays.width() || v >= frame.rays.height()) continue;
+      const Eigen::Vector2d step(u - view.middle.u, v - view.middle.v);
+      const auto pixel =
+          static_cast<std::size_t>(v) * frame.rays.width() + static_cast<std::size_t>(u);
+      if (solid_angle_[pixel] <= 0.0F || (view.to_angles * step).norm() > disc.radius) continue;
+      add(frame, pixel, blob);
+      blob.mirror_part = parts_[pixel];
+    }
+  }
+  return blob;
+}
+
+void BallDetector::find_patterned(const FrameTables& frame) {
+  if (!patterned_.is_any()) return;
+  for (const PatternedDisc& disc : patterned_.find(frame, solid_angle_)) {
+    const BallBlob blob = blob_of(frame, disc);
+    if (blob.pixels < kFewestPixels || blob.solid_angle <= 0.0) continue;
+    std::erase_if(found_, [&](const BallCandidate& part) {
+      const LocalView& view = disc.view;
+      const Eigen::Vector2d step(part.pixels.u_px - view.middle.u,
+                                 part.pixels.v_px - view.middle.v);
+      return (view.to_angles * step).norm() < disc.radius;
+    });
+    BallCandidate ball = candidate_of(frame, blob);
+    ball.pixels.pattern = disc.traits;
+    ball.ray.angular_radius = disc.radius;
+    ball.ray.colour = BallColour::kPatterned;
+    ball.ray.confidence = disc.probability;
+    found_.push_back(ball);
+  }
 }
 
 void BallDetector::seed_from(const FrameTables& frame, std::size_t radial_line) {
@@ -343,6 +389,7 @@ std::span<const BallCandidate> BallDetector::find(const FrameTables& frame) {
   seed_from_further_parts(frame);
   join_parts(frame.rays);
   for (const BallBlob& blob : blobs_) judge(frame, blob);
+  find_patterned(frame);
   join_images(found_, rules_.ball_radius);
   std::ranges::sort(found_, [](const BallCandidate& a, const BallCandidate& b) {
     return a.ray.confidence > b.ray.confidence;

@@ -1,4 +1,4 @@
-// vision/ball_detector.hpp: blobs of the ball's colour as rays.
+// vision/ball_detector.hpp: blobs of the ball's colour, and patterned discs, as rays.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include "vision/camera_parameters.hpp"
 #include "vision/frame_tables.hpp"
 #include "vision/mirror_parts.hpp"
+#include "vision/patterned_balls.hpp"
 
 namespace teamsight::vision {
 
@@ -22,6 +23,7 @@ struct BallPixels {
   double v_px{0.0};
   double r_px{0.0};  ///< radius of the disc of the same area
   BallTraits traits{};
+  PatternTraits pattern{};  ///< of a patterned one; else all 0
   /// Its middle lies within the convex hull of the carpet that is seen.
   bool on_carpet{true};
   /// Which part of a mirror of several shows it; 0: the inner one.
@@ -40,13 +42,16 @@ struct BallCandidate {
 struct BallRules {
   double ball_radius{0.11};  ///< m
   BallModel model{trained_ball_model()};
-  std::size_t most{kMaxBallRays};  ///< reported, of one frame
+  std::size_t most{kMaxBallRays};      ///< reported, of one frame
+  std::vector<ColourClass> pattern{};  ///< of a ball of several colours; empty: there is none
+  PatternModel pattern_model{trained_pattern_model()};
 };
 
 /// Grows blobs of ball-coloured pixels from seeds on the radial scan lines, joins the parts of one
 /// ball, and keeps what is a ball by its traits. In the further parts of a mirror of several, where
-/// no radial lines run, it looks for seeds itself; one ball's images in two parts become one. Its
-/// buffers are its only state.
+/// no radial lines run, it looks for seeds itself; one ball's images in two parts become one. Where
+/// the rules name a pattern, balls of that are found as well (`PatternedBalls`), and what has the
+/// ball's colour within one of them is a part of it. Its buffers are its only state.
 class BallDetector {
  public:
   BallDetector(const RayTable& rays, const Mask& mask, const Pixel& centre, const BallRules& rules);
@@ -83,7 +88,11 @@ class BallDetector {
   [[nodiscard]] bool are_parts(const RayTable& rays, const BallBlob& a, const BallBlob& b) const;
   void join_parts(const RayTable& rays);
   [[nodiscard]] BallTraits traits_in(const FrameTables& frame, const BallBlob& blob) const;
+  /// @pre the blob has pixels that see something
+  [[nodiscard]] BallCandidate candidate_of(const FrameTables& frame, const BallBlob& blob) const;
   void judge(const FrameTables& frame, const BallBlob& blob);
+  [[nodiscard]] BallBlob blob_of(const FrameTables& frame, const PatternedDisc& disc) const;
+  void find_patterned(const FrameTables& frame);
 
   Pixel centre_;
   BallRules rules_;
@@ -96,6 +105,7 @@ class BallDetector {
   std::vector<std::size_t> seeds_;  // in the mirror's further parts: where a blob may be met
   std::vector<std::size_t> open_;
   std::vector<BallBlob> blobs_;
+  PatternedBalls patterned_;
   std::vector<BallCandidate> found_;
 };
 

@@ -1,6 +1,7 @@
 // vision/camera_parameters.hpp: one robot's eye as numbers; made from a camera file by settings/.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -170,6 +171,9 @@ struct ColourParameters {
   std::optional<CubeParameters> cube;
   /// Nothing: the table if there is one, else samples and sectors.
   std::optional<ColourMethod> method;
+  /// Of a ball that has several: at least two, each once, none of them kGreen or kNone. Empty: no
+  /// such ball is looked for.
+  std::vector<ColourClass> pattern;
   /// What the field looked like when all these were chosen; nothing: nobody has said so.
   std::optional<FieldColours> light;
 
@@ -180,6 +184,23 @@ struct ColourParameters {
 [[nodiscard]] inline ColourMethod method_of(const ColourParameters& colours) {
   return colours.method.value_or(colours.table.empty() ? ColourMethod::kSamples
                                                        : ColourMethod::kTable);
+}
+
+/// Whether anything may be of this class; kWhite and kBlack are not asked for, they follow from
+/// luminance where they have no vertex.
+[[nodiscard]] inline bool can_tell(const ColourParameters& colours, ColourClass colour) {
+  switch (method_of(colours)) {
+    case ColourMethod::kTable:
+      return std::ranges::find(colours.table, colour) != colours.table.end();
+    case ColourMethod::kCube:
+      return colours.cube.has_value() &&
+             std::ranges::find(colours.cube->classes, colour) != colours.cube->classes.end();
+    case ColourMethod::kSamples:
+      break;
+  }
+  return std::ranges::find(colours.samples, colour, &ColourSample::colour) !=
+             colours.samples.end() ||
+         std::ranges::find(colours.sectors, colour, &HueSector::colour) != colours.sectors.end();
 }
 
 /// Image directions in which the camera sees only its own robot; counter-clockwise from image

@@ -45,7 +45,8 @@ struct PerceptionParameters {
   double robot_radius{0.25};  ///< m
   ObstacleModel obstacles{trained_obstacle_model()};
   BallModel balls{trained_ball_model()};
-  std::size_t most_balls{kMaxBallRays};  ///< reported, of one frame
+  PatternModel patterned{trained_pattern_model()};  ///< balls, where the camera file says so
+  std::size_t most_balls{kMaxBallRays};             ///< reported, of one frame
   TeamShirts shirts{};
 };
 

@@ -38,6 +38,11 @@ class RadialScan {
     return std::span(surfaces_).subspan(range.first, range.count);
   }
 
+  /// Luminance of the carpet beside the i-th sample of a line, grey levels.
+  [[nodiscard]] float carpet_beside(const ScanRange& range, std::size_t i) const {
+    return static_cast<float>(levels_[range.first + i]) / kLevelsPerGrey;
+  }
+
   /// How many samples of the line, from its start, lie before the end of the carpet; 0: it shows
   /// none. Paint, balls and short dark things with carpet behind them do not end it.
   [[nodiscard]] std::size_t carpet_end(std::size_t radial_line) const {

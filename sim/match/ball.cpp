@@ -42,6 +42,16 @@ bool is_flying(const Ball& ball, const BallParameters& parameters) {
   return ball.p_FB.z > parameters.radius + 1e-9 || ball.v_FB.z > 0.0;
 }
 
+Eigen::Quaterniond rolled(const Ball& ball,
+                          const Point3<Field>& before,
+                          const BallParameters& parameters) {
+  const Eigen::Vector2d way = ball.p_FB.on_floor().vector() - before.on_floor().vector();
+  const double length = way.norm();
+  if (length < 1e-12) return ball.turn_F;
+  const Eigen::Vector3d axis(-way.y() / length, way.x() / length, 0.0);
+  return (Eigen::AngleAxisd(length / parameters.radius, axis) * ball.turn_F).normalized();
+}
+
 Ball moved(Ball ball, double seconds, const BallParameters& parameters) {
   double left = seconds;
   while (left > 1e-12 && is_flying(ball, parameters)) {

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include "geometry/frames.hpp"
 
 namespace teamsight::sim {
@@ -12,6 +15,8 @@ struct Ball {
   Point3<Field> p_FB;      ///< its centre
   Velocity3<Field> v_FB;   ///< m/s
   std::uint8_t holder{0};  ///< number of the player that dribbles it; 0: nobody
+  /// How it is turned since it was put there, in F: it rolls where it goes, in the air as well.
+  Eigen::Quaterniond turn_F{Eigen::Quaterniond::Identity()};
 
   friend bool operator==(const Ball&, const Ball&) = default;
 };
@@ -28,6 +33,11 @@ struct BallParameters {
 
 /// Whether the ball is in the air.
 [[nodiscard]] bool is_flying(const Ball& ball, const BallParameters& parameters);
+
+/// How a ball that was turned like `ball` and has gone from `before` to where it is has rolled.
+[[nodiscard]] Eigen::Quaterniond rolled(const Ball& ball,
+                                        const Point3<Field>& before,
+                                        const BallParameters& parameters);
 
 /// Moves a free ball over an endless floor.
 ///

@@ -76,7 +76,9 @@ void Match::advance_to(double seconds) {
 void Match::step() {
   move_players();
   for (Ball& ball : state_.balls) {
+    const Point3<Field> before = ball.p_FB;
     move_ball(ball);
+    ball.turn_F = rolled(ball, before, parameters_.ball);
   }
   ++steps_;
   follow_script();

@@ -53,6 +53,11 @@ Point3<Field> place_of(const Scene& scene, std::size_t i, double seconds) {
   return {p_F.x, p_F.y, 0.0};
 }
 
+Eigen::Quaternionf turn_in(const Pose<Robot, Field>& X_RF, const BallLook& look) {
+  const Eigen::AngleAxisd about(X_RF.theta(), Eigen::Vector3d::UnitZ());
+  return (about * look.turn_F).cast<float>();
+}
+
 }  // namespace
 
 Renderer::Renderer(const vision::CameraParameters& camera,
@@ -293,7 +298,10 @@ void Renderer::paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR
       paint_robot(scene.robots[i], p_R.on_floor());
     } else if (i < robots + balls) {
       const SceneBall& ball = scene.balls[i - robots];
-      paint_ball(fine_, sights_, p_R, ball.radius, ball.paint);
+      const BallLook& look = ball.look;
+      paint_ball(fine_,
+                 sights_,
+                 {p_R, ball.radius, look.paint, look.pattern, look.panels, turn_in(X_RF, look)});
     } else {
       paint_person(scene.people[i - robots - balls], p_R.on_floor());
     }
@@ -305,9 +313,22 @@ void Renderer::paint_robot(const SceneRobot& robot, const Point<Robot>& p_R) {
   const double h = robot.height;
   const double r = robot.radius;
   paint_cylinder(fine_, sights_, {p_R, r, 0.02, 0.4 * h, kBlack, kMetal});
+  if (robot.markers) paint_markers(*robot.markers, r, p_R);
   paint_cylinder(fine_, sights_, {p_R, 0.8 * r, 0.38 * h, 0.75 * h, robot.shirt, kBlack});
   paint_cylinder(fine_, sights_, {p_R, 0.2 * r, 0.7 * h, 0.93 * h, kBlack, kBlack});
   paint_cylinder(fine_, sights_, {p_R, 0.35 * r, 0.92 * h, h, kBlack, kBlack});
+}
+
+void Renderer::paint_markers(const Paint& paint, double radius, const Point<Robot>& p_R) {
+  constexpr double kHalf = 0.05;  // m
+  constexpr double kApart = 0.7;  // rad
+  const double towards_eye = std::atan2(-p_R.y, -p_R.x);
+  for (const double aside : {-kApart, 0.0, kApart}) {
+    const double side = towards_eye + aside;
+    const double out = radius - kHalf + 0.005;  // they show in front of the base
+    const Point<Robot> middle{p_R.x + out * std::cos(side), p_R.y + out * std::sin(side)};
+    paint_cylinder(fine_, sights_, {middle, kHalf, 0.05, 0.15, paint, paint});
+  }
 }
 
 void Renderer::paint_person(const ScenePerson& person, const Point<Robot>& p_R) {

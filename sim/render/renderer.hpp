@@ -119,6 +119,7 @@ class Renderer {
   void paint_standing(const Scene& scene, const Pose<Field, Robot>& X_FR, double seconds);
   void paint_fixed(const Pose<Robot, Field>& X_RF);
   void paint_robot(const SceneRobot& robot, const Point<Robot>& p_R);
+  void paint_markers(const Paint& paint, double radius, const Point<Robot>& p_R);
   void paint_person(const ScenePerson& person, const Point<Robot>& p_R);
   void add_moment();
 

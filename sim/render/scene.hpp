@@ -1,10 +1,12 @@
 // sim/render/scene.hpp: what stands and lies around one robot at one moment.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/frames.hpp"
 #include "geometry/pose.hpp"
+#include "sim/render/ball_look.hpp"
 #include "sim/render/paint.hpp"
 
 namespace teamsight::sim {
@@ -16,13 +18,14 @@ struct SceneRobot {
   double radius{0.25};  ///< m
   double height{0.8};   ///< m
   Paint shirt{40, 70, 200};
+  std::optional<Paint> markers{};  ///< three patches of 0.1 m at the foot, towards the eye
 };
 
 struct SceneBall {
   Point3<Field> p_FB;     ///< its centre
   Velocity3<Field> v_FB;  ///< m/s
   double radius{0.11};    ///< m
-  Paint paint{240, 110, 20};
+  BallLook look{};
 };
 
 /// Somebody who stands there: two legs and a body.

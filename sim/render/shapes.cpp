@@ -44,6 +44,15 @@ Light shaded(const Light& light, float by) {
   return result;
 }
 
+// What a pixel of that width, a share of the ball's radius, shows of its paints.
+Light painted(const Sphere& ball, const Eigen::Vector3f& normal_R, float pixel) {
+  Light light = light_of(ball.paint);
+  if (ball.pattern == BallPattern::kPlain) return light;
+  const float depth = depth_in_panels(ball.pattern, ball.turn_R.conjugate() * normal_R);
+  lay_over(light, light_of(ball.panels), share_inside(depth, pixel));
+  return light;
+}
+
 }  // namespace
 
 void paint_cylinder(Canvas& canvas, const Sights& sights, const Cylinder& cylinder) {
@@ -90,14 +99,9 @@ void paint_cylinder(Canvas& canvas, const Sights& sights, const Cylinder& cylind
   });
 }
 
-void paint_ball(Canvas& canvas,
-                const Sights& sights,
-                const Point3<Robot>& p_RB,
-                double radius,
-                const Paint& paint) {
-  const Eigen::Vector3f centre = p_RB.vector().cast<float>();
-  const auto r = static_cast<float>(radius);
-  const Light light = light_of(paint);
+void paint_ball(Canvas& canvas, const Sights& sights, const Sphere& ball) {
+  const Eigen::Vector3f centre = ball.p_R.vector().cast<float>();
+  const auto r = static_cast<float>(ball.radius);
   const Light gloss(0.5F, 0.5F, 0.5F, 0.0F);
   sights.visit_sector(centre.x(), centre.y(), r + 0.05F, [&](const Sight& sight) {
     const Eigen::Vector3f origin(sight.origin_x, sight.origin_y, sight.origin_z);
@@ -123,7 +127,9 @@ void paint_ball(Canvas& canvas,
     const Eigen::Vector3f normal = (off - depth * direction) / r;
     const float shine = std::max(normal.z() + 0.25F * normal.x(), 0.0F);
     const float glint = std::pow(std::min(shine, 1.0F), 40.0F);
-    Light seen = shaded(light, 0.55F + 0.5F * std::max(normal.z(), -0.5F)) + glint * gloss;
+    Light seen =
+        shaded(painted(ball, normal, pixel / r), 0.55F + 0.5F * std::max(normal.z(), -0.5F)) +
+        glint * gloss;
     seen[3] = 1.0F;
     lay_over(canvas[sight.pixel], seen, share);
   });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/frames.hpp"
+#include "sim/render/ball_look.hpp"
 #include "sim/render/paint.hpp"
 #include "sim/render/sights.hpp"
 
@@ -22,6 +23,16 @@ struct Cylinder {
   Paint lid;
 };
 
+/// A ball, in R.
+struct Sphere {
+  Point3<Robot> p_R;   ///< of its middle
+  double radius{0.0};  ///< m
+  Paint paint;
+  BallPattern pattern{BallPattern::kPlain};
+  Paint panels{};                                             ///< of the pattern
+  Eigen::Quaternionf turn_R{Eigen::Quaternionf::Identity()};  ///< from the ball's own frame to R
+};
+
 /// An upright rectangle, in R.
 struct Panel {
   Point<Robot> from;
@@ -35,11 +46,7 @@ struct Panel {
 /// Each of these lays a shape over what the canvas shows; a pixel at an edge gets the share of it
 /// that the shape fills, taken along the direction across the edge.
 void paint_cylinder(Canvas& canvas, const Sights& sights, const Cylinder& cylinder);
-void paint_ball(Canvas& canvas,
-                const Sights& sights,
-                const Point3<Robot>& p_RB,
-                double radius,
-                const Paint& paint);
+void paint_ball(Canvas& canvas, const Sights& sights, const Sphere& ball);
 void paint_panel(Canvas& canvas, const Sights& sights, const Panel& panel);
 
 /// Darkens the floor around something that stands or lies there, as light from many lamps does.

@@ -70,6 +70,16 @@ TEST(SaveCamera, KeepsARadialTable) {
   EXPECT_EQ(again, camera);
 }
 
+TEST(SaveCamera, KeepsThePatternOfABall) {
+  const TemporaryFolder folder;
+  vision::CameraParameters camera = radial_camera(folder);
+  camera.colours.pattern = {vision::ColourClass::kWhite, vision::ColourClass::kBall};
+
+  save_camera(folder.path() / "saved.textproto", camera);
+
+  EXPECT_EQ(load_camera(folder.path() / "saved.textproto").colours, camera.colours);
+}
+
 TEST(SaveCamera, KeepsAProfile) {
   const TemporaryFolder folder;
   const vision::CameraParameters camera = profile_camera(folder);

@@ -58,6 +58,22 @@ TEST_F(MatchFile, SetsThePicture) {
   EXPECT_NEAR(setup.match.picture.struts[0].direction, 3.14159265, 1e-8);
 }
 
+TEST_F(MatchFile, PaintsTheBall) {
+  const sim::Setup setup =
+      load("ball { paint { red: 230 green: 220 blue: 210 } pattern: FOOTBALL }");
+
+  const BallLook look = make_eye(setup, 0, setup.camera.format).bodies.ball;
+  EXPECT_EQ(look.paint, (Paint{230, 220, 210}));
+  EXPECT_EQ(look.pattern, BallPattern::kFootball);
+  EXPECT_EQ(look.panels, BallLook{}.panels);
+  EXPECT_EQ(make_eye(load(""), 0, setup.camera.format).bodies.ball, BallLook{});
+}
+
+TEST_F(MatchFile, IsRefusedWithPanelsOfAPlainBall) {
+  EXPECT_THAT(refusal("ball { panels { red: 1 green: 2 blue: 3 } }"),
+              AllOf(HasSubstr("ball.panels"), HasSubstr("FOOTBALL or OCTANTS")));
+}
+
 TEST_F(MatchFile, IsRefusedWithAScenarioThatNobodyKnows) {
   EXPECT_THAT(refusal("scenario: \"rugby\"\n"),
               AllOf(HasSubstr("match.textproto"),

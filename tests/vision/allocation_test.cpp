@@ -74,8 +74,12 @@ struct Yuv {
   std::uint8_t y, u, v;
 };
 
-// A carpet with a ring of paint, a ball and a black pillar, moved a little from frame to frame.
+// A carpet with a ring of paint, a ball, one of white and black, and a black pillar, moved a little
+// from frame to frame.
 Yuv colour_at(double du, double dv, int step) {
+  if (std::hypot(du + 20.0 + step, dv + 70.0) < 9.0) {
+    return dv + 70.0 < 0.3 * (du + 20.0) ? Yuv{220, 128, 128} : Yuv{20, 128, 128};
+  }
   if (std::hypot(du - 60.0 - step, dv + 40.0) < 8.0) return {139, 61, 200};
   if (std::hypot(du + 70.0, dv - 30.0 - step) < 12.0) return {20, 128, 128};
   if (std::abs(std::hypot(du, dv) - 100.0 - step) < 3.0) return {220, 128, 128};
@@ -95,8 +99,9 @@ std::vector<std::uint8_t> picture(int step) {
   return bytes;
 }
 
-TEST(Allocation, AFrameAsksForNoMemoryOnceTheBuffersHaveGrown) {
-  Perception perception(camera(), test_field());
+// @param expected_balls  that are seen in each of the frames
+void expect_no_allocation(const CameraParameters& eye, std::size_t expected_balls) {
+  Perception perception(eye, test_field());
   std::vector<std::vector<std::uint8_t>> frames;
   frames.reserve(4);
   for (int step = 0; step < 4; ++step) frames.push_back(picture(step));
@@ -106,13 +111,28 @@ TEST(Allocation, AFrameAsksForNoMemoryOnceTheBuffersHaveGrown) {
 
   const std::size_t before = allocations;
   std::size_t seen = 0;
+  std::size_t balls = 0;
   for (const auto& frame : frames) {
-    seen += (*perception.see({frame, kSide, kSide, PixelFormat::kYuyv}, {}))->line_points.size();
+    const auto observation = perception.see({frame, kSide, kSide, PixelFormat::kYuyv}, {});
+    seen += (*observation)->line_points.size();
+    balls += (*observation)->balls.size();
   }
   const std::size_t after = allocations;
 
   EXPECT_GT(seen, 0U);
+  EXPECT_EQ(balls, expected_balls * frames.size());
   EXPECT_EQ(after - before, 0U);
+}
+
+TEST(Allocation, AFrameAsksForNoMemoryOnceTheBuffersHaveGrown) {
+  expect_no_allocation(camera(), 1);
+}
+
+TEST(Allocation, NorDoesOneThatIsLookedAtForPatternedBalls) {
+  CameraParameters eye = camera();
+  eye.colours.pattern = {ColourClass::kWhite, ColourClass::kBlack};
+
+  expect_no_allocation(eye, 2);
 }
 
 }  // namespace

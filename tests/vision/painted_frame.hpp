@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "tests/vision/synthetic_points.hpp"
 #include "vision/perception.hpp"
 
@@ -66,6 +68,13 @@ inline constexpr Paint kWhite{230, 128, 128};
 inline constexpr Paint kOrange{139, 61, 200};
 inline constexpr Paint kBlack{20, 128, 128};
 
+/// A ball's paints: in octants, four of each, or all of the first.
+struct BallPaint {
+  Paint first{kOrange};
+  Paint second{kOrange};
+  Eigen::AngleAxisd turn{0.0, Eigen::Vector3d::UnitZ()};  ///< from the ball's own frame to R
+};
+
 /// What stands on the field besides the paint.
 struct Scene {
   Pose<Field, Robot> X_FR;
@@ -74,38 +83,61 @@ struct Scene {
   Paint shirt{kBlack};                  // of the pillar, from 0.25 to 0.55 m
   std::vector<Point<Robot>> pillars{};  // more of them, black
   double pillars_radius{0.25};          // m, of those
+  BallPaint ball_paint{};
+  Paint marker{kBlack};  // of the pillars, in patches around the foot
+};
+
+inline std::optional<Paint> look_at_ball(const Ray<Robot>& ray, const Scene& scene) {
+  constexpr double kRadius = 0.11;
+  if (!scene.ball) return std::nullopt;
+  const Eigen::Vector3d to_ball = scene.ball->vector() - ray.origin.vector();
+  const double along = to_ball.dot(ray.direction);
+  const Eigen::Vector3d off = along * ray.direction - to_ball;
+  if (along <= 0.0 || off.norm() >= kRadius) return std::nullopt;
+  const double depth = std::sqrt(kRadius * kRadius - off.squaredNorm());
+  const Eigen::Vector3d place = scene.ball_paint.turn.inverse() * (off - depth * ray.direction);
+  return place.prod() > 0.0 ? scene.ball_paint.second : scene.ball_paint.first;
+}
+
+// How a pillar looks: black but for its shirt and its marker.
+struct PillarPaint {
+  Paint shirt{kBlack};
+  Paint marker{kBlack};  // in patches around the foot
+  double radius{0.25};   // m
 };
 
 // What the ray meets of a pillar: the way to the floor passes over its disc.
 inline std::optional<Paint> look_at_pillar(const Ray<Robot>& ray,
                                            const Point<Robot>& p_R,
-                                           Paint shirt,
-                                           double radius = 0.25) {
+                                           const PillarPaint& paint) {
   const auto floor = meet_plane(ray, 0.0);
   const Eigen::Vector2d p = p_R.vector();
   const Eigen::Vector2d away = ray.direction.head<2>().normalized();
   const double along = p.dot(away);
   const double reach = floor ? floor->vector().norm() : 1e9;
-  if (along <= 0.0 || (p - along * away).norm() >= radius || reach <= p.norm() - radius) {
+  if (along <= 0.0 || (p - along * away).norm() >= paint.radius ||
+      reach <= p.norm() - paint.radius) {
     return std::nullopt;
   }
   const double slope = ray.direction.z() / ray.direction.head<2>().norm();
-  const double height = ray.origin.z + slope * (along - radius);
-  return height > 0.25 && height < 0.55 ? shirt : kBlack;
+  const double height = ray.origin.z + slope * (along - paint.radius);
+  if (height > 0.25 && height < 0.55) return paint.shirt;
+  // Patches of 0.1 m, as teams stick markers on their robots.
+  const double aside = p.x() * away.y() - p.y() * away.x();
+  const bool is_patch = height > 0.05 && height < 0.15 && std::abs(std::abs(aside) - 0.1) < 0.05;
+  return is_patch ? paint.marker : kBlack;
 }
 
 inline Paint look(const Ray<Robot>& ray, const FieldModel& field, const Scene& scene) {
-  if (scene.ball) {
-    const Eigen::Vector3d to_ball = scene.ball->vector() - ray.origin.vector();
-    const double along = to_ball.dot(ray.direction);
-    if (along > 0.0 && (to_ball - along * ray.direction).norm() < 0.11) return kOrange;
-  }
+  if (const auto paint = look_at_ball(ray, scene)) return *paint;
   const auto floor = meet_plane(ray, 0.0);
   for (const Point<Robot>& pillar : scene.pillars) {
-    if (const auto paint = look_at_pillar(ray, pillar, kBlack, scene.pillars_radius)) return *paint;
+    const PillarPaint paint{kBlack, scene.marker, scene.pillars_radius};
+    if (const auto seen = look_at_pillar(ray, pillar, paint)) return *seen;
   }
   if (scene.pillar) {
-    if (const auto paint = look_at_pillar(ray, *scene.pillar, scene.shirt)) return *paint;
+    const PillarPaint paint{scene.shirt, scene.marker};
+    if (const auto seen = look_at_pillar(ray, *scene.pillar, paint)) return *seen;
   }
   if (!floor) return kBlack;
   const Point<Field> p_F = scene.X_FR * *floor;

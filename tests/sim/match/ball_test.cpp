@@ -2,6 +2,7 @@
 #include "sim/match/ball.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,18 @@ TEST(Ball, RollsUntilFrictionStopsIt) {
 
   EXPECT_NEAR(stopped.p_FB.x, 4.444, 0.02);
   EXPECT_EQ(stopped.v_FB.x, 0.0);
+}
+
+// The way of half its outline turns the ball upside down, about the axis across.
+TEST(Ball, TurnsAsItRolls) {
+  const BallParameters parameters;
+  const Point3<Field> before{0.2, -0.1, 0.11};
+  const Ball then{{0.2, -0.1 + std::numbers::pi * 0.11, 0.11}, {}, 0};
+
+  const Eigen::Matrix3d turn_F = rolled(then, before, parameters).toRotationMatrix();
+
+  EXPECT_TRUE(turn_F.isApprox(Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal().toDenseMatrix(), 1e-9));
+  EXPECT_TRUE(rolled(then, then.p_FB, parameters).isApprox(then.turn_F));
 }
 
 TEST(Ball, FliesAParabolaWithoutAir) {

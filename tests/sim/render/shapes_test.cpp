@@ -62,7 +62,7 @@ TEST_P(Shapes, ALidIsADiscOfItsSize) {
 TEST_P(Shapes, ABallIsTheEllipseOfItsTangents) {
   Canvas canvas = blank();
   const double depth = 0.9 - 0.3;
-  paint_ball(canvas, sights_, {0.25, 0.0, 0.3}, 0.06, kWhite);
+  paint_ball(canvas, sights_, {{0.25, 0.0, 0.3}, 0.06, kWhite});
 
   // A sphere seen by a pinhole: major axis along the view, tangents at +-asin(r/d).
   const double off = std::atan2(0.25, depth);
