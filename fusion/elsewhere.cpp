@@ -66,7 +66,7 @@ Fit fit_of(const CandidateList& candidates,
     }
     fit.odds +=
         std::min(std::log(1.0 - kShown + kShown * density / kElsewhere), parameters.most_for);
-    if (density > kElsewhere) fit.claimants = static_cast<RobotMask>(fit.claimants | claimants);
+    if (density > kElsewhere) fit.claimants |= claimants;
   }
   return fit;
 }
