@@ -37,15 +37,18 @@ class BallKind {
   }
 
   void predict(BallTrack& track, double dt) const {
-    advance(track.beliefs, dt, setting_.motion);
+    // Where no robot has said anything for so long, anybody may have come.
+    constexpr double kSilence = 0.3;  // s
+    const bool is_watched = dt <= kSilence;
+    BallMotion motion = setting_.motion;
+    if (!is_watched) motion.rolling_psd = motion.unwatched_psd;
+    advance(track.beliefs, dt, motion);
     // Who knows when: often enough to tell instants apart, not so often that they crowd out others.
     constexpr double kShortest = 0.02;  // s
     track.since_split += dt;
     track.since_counted += dt;
     if (track.since_split < kShortest) return;
-    // Where no robot has said anything for so long, anybody may have come.
-    constexpr double kSilence = 0.3;  // s
-    if (dt > kSilence) {
+    if (!is_watched) {
       const UnseenMap nobody_looked;
       Kickers anybody = kickers_;
       anybody.unseen = &nobody_looked;
