@@ -109,7 +109,7 @@ bool can_have(play::Fault fault, const vision::CameraParameters& camera) {
 }
 
 struct CameraEyes::Team {
-  Team(const CameraSetup& setup, const play::Scenario& scenario, std::uint64_t seed);
+  Team(const CameraSetup& made_with, const play::Scenario& scenario, std::uint64_t seed64);
 
   void bump(std::size_t robot);
   void look_around(std::size_t robot, const play::Moment& first);
@@ -118,10 +118,11 @@ struct CameraEyes::Team {
                                const vision::Perception::Cues& cues,
                                HostTime exposure);
   const vision::FrameObservation& see(std::size_t robot, HostTime exposure);
+  [[nodiscard]] vision::CameraParameters true_camera(std::size_t robot,
+                                                     const Eigen::Vector2d& bump) const;
 
   CameraSetup setup;
   play::PlayParameters play;
-  vision::CameraParameters true_camera(std::size_t robot, const Eigen::Vector2d& bump) const;
   std::uint32_t seed;
   sim::Bodies bodies;
   // Neither remembers anything from frame to frame, so that all robots share them.
