@@ -51,6 +51,6 @@ std::uint32_t take_in(BallList& tracks,
 /// Where the ball is at `now`; at the track's own time if that is later.
 [[nodiscard]] BallMoments moments_at(const BallTrack& track,
                                      HostTime now,
-                                     const BallMotion& motion);
+                                     const BallMotion& all_games);
 
 }  // namespace teamsight::fusion
