@@ -211,7 +211,7 @@ void score_paper(const ScoreLocateOptions& options, CaseOptions cases) {
 }
 
 vision::CameraParameters camera_of(const ScoreLocateOptions& options) {
-  const vision::CameraParameters camera = settings::load_camera(options.camera);
+  vision::CameraParameters camera = settings::load_camera(options.camera);
   if (options.size.empty()) return camera;
   const std::uint32_t width_px = options.size[0];
   const std::uint32_t height_px = options.size[1];

@@ -315,15 +315,12 @@ void BallDetector::judge(const FrameTables& frame, const BallBlob& blob) {
 // All pixels whose middles lie within the disc.
 BallBlob BallDetector::blob_of(const FrameTables& frame, const PatternedDisc& disc) const {
   const LocalView& view = disc.view;
-  const double reach_u = disc.radius * view.to_pixels.row(0).norm();
-  const double reach_v = disc.radius * view.to_pixels.row(1).norm();
+  const PixelBox box = box_around(view, disc.radius, frame.rays);
   BallBlob blob;
-  for (double v = std::ceil(view.middle.v - reach_v); v <= view.middle.v + reach_v; v += 1.0) {
-    for (double u = std::ceil(view.middle.u - reach_u); u <= view.middle.u + reach_u; u += 1.0) {
-      if (u < 0.0 || v < 0.0 || u >= frame.rays.width() || v >= frame.rays.height()) continue;
-      const Eigen::Vector2d step(u - view.middle.u, v - view.middle.v);
-      const auto pixel =
-          static_cast<std::size_t>(v) * frame.rays.width() + static_cast<std::size_t>(u);
+  for (std::uint32_t row = box.first_row; row < box.end_row; ++row) {
+    for (std::uint32_t column = box.first_column; column < box.end_column; ++column) {
+      const Eigen::Vector2d step(column - view.middle.u, row - view.middle.v);
+      const std::size_t pixel = std::size_t{row} * frame.rays.width() + column;
       if (solid_angle_[pixel] <= 0.0F || (view.to_angles * step).norm() > disc.radius) continue;
       add(frame, pixel, blob);
       blob.mirror_part = parts_[pixel];

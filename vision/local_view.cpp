@@ -20,7 +20,26 @@ std::optional<Eigen::Vector3d> direction_at(const RayTable& rays, long u, long v
   return Eigen::Vector3f(ray.direction_x, ray.direction_y, ray.direction_z).cast<double>();
 }
 
+/// The first pixel that is at or behind `from`, in [0, count].
+std::uint32_t first_at(double from, std::uint32_t count) {
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(from), 0.0, static_cast<double>(count)));
+}
+
+/// The first pixel that is behind `to`, in [0, count].
+std::uint32_t first_behind(double to, std::uint32_t count) {
+  return first_at(std::floor(to) + 1.0, count);
+}
+
 }  // namespace
+
+PixelBox box_around(const LocalView& view, double radius, const RayTable& rays) {
+  const double aside = radius * view.to_pixels.row(0).norm();
+  const double above = radius * view.to_pixels.row(1).norm();
+  return {first_at(view.middle.v - above, rays.height()),
+          first_behind(view.middle.v + above, rays.height()),
+          first_at(view.middle.u - aside, rays.width()),
+          first_behind(view.middle.u + aside, rays.width())};
+}
 
 std::optional<LocalView> view_around(const RayTable& rays, const Pixel& middle, double span) {
   const long step = std::max(1L, std::lround(span));

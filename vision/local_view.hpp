@@ -1,6 +1,7 @@
 // vision/local_view.hpp: the picture around a pixel as angles.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
@@ -23,6 +24,19 @@ struct LocalView {
     return {middle.u + step.x(), middle.v + step.y()};
   }
 };
+
+/// Rows and columns of an image, from the first to behind the last.
+struct PixelBox {
+  std::uint32_t first_row{0};
+  std::uint32_t end_row{0};
+  std::uint32_t first_column{0};
+  std::uint32_t end_column{0};
+};
+
+/// The smallest box that holds all pixels of a disc, as far as they lie in the image.
+///
+/// @param radius  rad
+[[nodiscard]] PixelBox box_around(const LocalView& view, double radius, const RayTable& rays);
 
 /// @param span  px, to both sides of the pixel: over how much the picture's scale is taken
 /// @return nothing where the camera sees nothing on one of the sides

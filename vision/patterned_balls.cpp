@@ -81,14 +81,21 @@ void PatternedBalls::look_along(const FrameTables& frame,
     }
     const ColourClass colour = class_of(classes[i], surfaces[i]);
     if (colour == ColourClass::kNone || !pattern_.has(colour)) continue;
-    // It stands on the carpet: that ends not far in front of it.
-    if (last != ColourClass::kNone && last != colour && apart(range, last_at, i) < kWindow &&
-        apart(range, bare_from, i) < kHighest) {
+    const bool is_second = last != ColourClass::kNone && last != colour;
+    if (is_second && is_near(range, last_at, bare_from, i)) {
       look_at(frame, solid_angle, {radial_line, last_at, i});
     }
     last = colour;
     last_at = i;
   }
+}
+
+bool PatternedBalls::is_near(const ScanRange& range,
+                             std::size_t first,
+                             std::size_t bare_from,
+                             std::size_t second) const {
+  // It stands on the carpet: that ends not far in front of it.
+  return apart(range, first, second) < kWindow && apart(range, bare_from, second) < kHighest;
 }
 
 void PatternedBalls::measure_radii(const FrameTables& frame, std::span<const float> solid_angle) {

@@ -53,6 +53,11 @@ class PatternedBalls {
   void measure_radii(const FrameTables& frame, std::span<const float> solid_angle);
   /// Between two samples of a radial line, in radii of a ball on the floor there.
   [[nodiscard]] float apart(const ScanRange& range, std::size_t from, std::size_t to) const;
+  /// Whether two samples of its colours may be one ball's that stands on the carpet.
+  [[nodiscard]] bool is_near(const ScanRange& range,
+                             std::size_t first,
+                             std::size_t bare_from,
+                             std::size_t second) const;
   /// Whether there is a ball around the middle.
   /// @pre a ball on the floor can be seen there
   void look_at(const FrameTables& frame,
