@@ -129,8 +129,8 @@ TEST(PatternedBalls, IsNotLookedForUnlessTheCameraFileSaysSo) {
 // turn takes the other half to it.
 TEST(PatternedBalls, AreNotInventedFromTheFieldsPaint) {
   ASSERT_TRUE(is_half_turn_symmetric(test_field()));
-  for (double x = -4.0; x <= 0.0; x += 1.0) {
-    for (double y = -2.0; y <= 2.0; y += 1.0) {
+  for (const double x : {-4.0, -3.0, -2.0, -1.0, 0.0}) {
+    for (const double y : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
       const FrameObservation seen =
           seen_of({{x, y, 0.3 * x + y}, std::nullopt, std::nullopt}, pattern_camera());
 
@@ -144,7 +144,7 @@ TEST(PatternedBalls, AreNotInventedFromRobotsWithWhiteMarkers) {
   for (int i = 0; i < 12; ++i) {
     const double distance = 0.6 + 0.2 * i;
     // Every distance in three directions, neighbouring distances in the three others.
-    for (double azimuth = i % 2; azimuth < 6.0; azimuth += 2.0) {
+    for (int azimuth = i % 2; azimuth < 6; azimuth += 2) {
       Scene scene;
       scene.X_FR = kHere;
       scene.pillar = {distance * std::cos(azimuth), distance * std::sin(azimuth)};
