@@ -6,16 +6,16 @@ namespace teamsight::vision {
 PatternModel trained_pattern_model() {
   PatternModel model;
   model.weights = {
-      -53.25,  // too_small
-      -21.23,  // too_large
-      -22.19,  // scatter
-      15.78,   // carpet
-      -2.45,   // front
-      -7.90,   // foreign
-      2.54,    // mixture
-      4.63,    // between
+      -40.08,  // too_small
+      -27.22,  // too_large
+      -19.50,  // scatter
+      15.72,   // carpet
+      -3.00,   // front
+      -9.49,   // foreign
+      15.56,   // mixture
+      6.35,    // between
   };
-  model.bias = -7.49;
+  model.bias = -10.21;
   model.least = 0.5;
   return model;
 }
