@@ -28,6 +28,11 @@ bool is_as_high_as_a_ball(float radii) {
   return radii > kLowest && radii < kHighest;
 }
 
+// Whether there was one of the ball's colours before, and another.
+bool is_other(ColourClass before, ColourClass colour) {
+  return before != ColourClass::kNone && before != colour;
+}
+
 bool are_same(const PatternedDisc& a, const PatternedDisc& b) {
   const Eigen::Vector2d step(b.view.middle.u - a.view.middle.u, b.view.middle.v - a.view.middle.v);
   return (a.view.to_angles * step).norm() < kSame * std::max(a.radius, b.radius);
@@ -71,23 +76,30 @@ void PatternedBalls::look_along(const FrameTables& frame,
   std::size_t bare_from = 0;  // since the carpet
   for (std::size_t i = 0; i < end; ++i) {
     if (surfaces[i] == Surface::kCarpet) {
-      if (last != ColourClass::kNone && is_as_high_as_a_ball(apart(range, bare_from, i))) {
-        look_at(frame, solid_angle, {radial_line, bare_from, i});
-      }
+      look_at_whole(frame, solid_angle, {radial_line, bare_from, i}, last);
       last = ColourClass::kNone;
       i += leading_eights(surfaces.subspan(i + 1, end - i - 1), Surface::kCarpet);
       bare_from = i + 1;
       continue;
     }
     const ColourClass colour = class_of(classes[i], surfaces[i]);
-    if (colour == ColourClass::kNone || !pattern_.has(colour)) continue;
-    const bool is_second = last != ColourClass::kNone && last != colour;
-    if (is_second && is_near(range, last_at, bare_from, i)) {
+    if (!pattern_.has(colour)) continue;
+    if (is_other(last, colour) && is_near(range, last_at, bare_from, i)) {
       look_at(frame, solid_angle, {radial_line, last_at, i});
     }
     last = colour;
     last_at = i;
   }
+}
+
+void PatternedBalls::look_at_whole(const FrameTables& frame,
+                                   std::span<const float> solid_angle,
+                                   const Stretch& stretch,
+                                   ColourClass last) {
+  const ScanRange& range = frame.lines.radial()[stretch.line];
+  if (last == ColourClass::kNone) return;
+  if (!is_as_high_as_a_ball(apart(range, stretch.from, stretch.to))) return;
+  look_at(frame, solid_angle, stretch);
 }
 
 bool PatternedBalls::is_near(const ScanRange& range,

@@ -53,6 +53,12 @@ class PatternedBalls {
   void measure_radii(const FrameTables& frame, std::span<const float> solid_angle);
   /// Between two samples of a radial line, in radii of a ball on the floor there.
   [[nodiscard]] float apart(const ScanRange& range, std::size_t from, std::size_t to) const;
+  /// Looks at a stretch between carpet and carpet, if it is as high as a ball.
+  /// @param last  of the ball's colours in it; kNone: there was none
+  void look_at_whole(const FrameTables& frame,
+                     std::span<const float> solid_angle,
+                     const Stretch& stretch,
+                     ColourClass last);
   /// Whether two samples of its colours may be one ball's that stands on the carpet.
   [[nodiscard]] bool is_near(const ScanRange& range,
                              std::size_t first,
