@@ -25,8 +25,8 @@ struct Shot {
 [[nodiscard]] Picture marked_frame(const Shot& shot, const vision::FrameObservation& seen);
 
 /// As marked_frame, without line points, and with what the labels say of it: a green ring where a
-/// robot's, ball's or person's label was found, a red one where it was missed, a grey one where it does not
-/// count; an orange square around each false alarm.
+/// robot's, ball's or person's label was found, a red one where it was missed, a grey one where it
+/// does not count; an orange square around each false alarm.
 [[nodiscard]] Picture judged_frame(const Shot& shot,
                                    const vision::FrameObservation& seen,
                                    const ImageLabels& labels);

@@ -37,9 +37,9 @@ struct PatternedScene {
 };
 
 /// A robot somewhere on the field, turned anyhow, five others in shirts of both teams, white and
-/// black, half of them with white markers at the foot, and two people. In half of the scenes a patterned ball, turned anyhow, of all distances
-/// from 0.5 to 6 m alike: a third of these anywhere, a third on a line, a third beside a robot. In
-/// a quarter a ball all of its first paint.
+/// black, half of them with white markers at the foot, and two people. In half of the scenes a
+/// patterned ball, turned anyhow, of all distances from 0.5 to 6 m alike: a third of these
+/// anywhere, a third on a line, a third beside a robot. In a quarter a ball all of its first paint.
 [[nodiscard]] PatternedScene patterned_scene(const FieldModel& field,
                                              const PatternedBall& ball,
                                              sim::Random& random);
