@@ -17,21 +17,20 @@ enum class BallMode : std::uint8_t { kRolling, kFlying };
 
 /// What balls do; SI.
 struct BallMotion {
-  double radius{0.11};         ///< m; it lies this high
-  double friction{0.45};       ///< m/s^2 on carpet; middle of 0.3 to 0.6
-  double rolling_psd{0.04};    ///< m^2/s^3: carpet is uneven
-  double unwatched_psd{0.08};  ///< ... while nobody reports anything: it may be nudged as well
-  double flying_psd{0.3};      ///< m^2/s^3
-  double gravity{9.81};        ///< m/s^2
-  double drag{0.012};          ///< 1/m
-  double climb_kept{0.65};     ///< of the vertical speed at a bounce
-  double speed_kept{0.8};      ///< of the horizontal speed at a bounce
-  double bounce_doubt{0.15};   ///< of the speed: what a bounce does besides
-  double least_climb{0.4};     ///< m/s: a bounce that leaves less ends on the floor
-  double kicks_at_foot{6.0};   ///< per second, of a ball that a robot touches
-  double kicks_alone{0.005};   ///< per second, of any ball, whoever is near: nobody can know of all
-  double stopping_way{0.25};   ///< m; after so much on its way into a robot it is on its way back
-  double high_share{0.1};      ///< of all games' kicks; the others go along the floor
+  double radius{0.11};        ///< m; it lies this high
+  double friction{0.45};      ///< m/s^2 on carpet; middle of 0.3 to 0.6
+  double rolling_psd{0.08};   ///< m^2/s^3: carpet is uneven
+  double flying_psd{0.3};     ///< m^2/s^3
+  double gravity{9.81};       ///< m/s^2
+  double drag{0.012};         ///< 1/m
+  double climb_kept{0.65};    ///< of the vertical speed at a bounce
+  double speed_kept{0.8};     ///< of the horizontal speed at a bounce
+  double bounce_doubt{0.15};  ///< of the speed: what a bounce does besides
+  double least_climb{0.4};    ///< m/s: a bounce that leaves less ends on the floor
+  double kicks_at_foot{6.0};  ///< per second, of a ball that a robot touches
+  double kicks_alone{0.005};  ///< per second, of any ball, whoever is near: nobody can know of all
+  double stopping_way{0.25};  ///< m; after so much on its way into a robot it is on its way back
+  double high_share{0.1};     ///< of all games' kicks; the others go along the floor
   double high_share_weight{4.0};  ///< kicks of this game that weigh as much as `high_share`
   double kick_memory{50.0};       ///< kicks of this game that count
   double foot_reach{0.25};   ///< m from a robot's body to the centre of a ball that it can kick

@@ -37,18 +37,15 @@ class BallKind {
   }
 
   void predict(BallTrack& track, double dt) const {
-    // Where no robot has said anything for so long, anybody may have come.
-    constexpr double kSilence = 0.3;  // s
-    const bool is_watched = dt <= kSilence;
-    BallMotion motion = setting_.motion;
-    if (!is_watched) motion.rolling_psd = motion.unwatched_psd;
-    advance(track.beliefs, dt, motion);
+    advance(track.beliefs, dt, setting_.motion);
     // Who knows when: often enough to tell instants apart, not so often that they crowd out others.
     constexpr double kShortest = 0.02;  // s
     track.since_split += dt;
     track.since_counted += dt;
     if (track.since_split < kShortest) return;
-    if (!is_watched) {
+    // Where no robot has said anything for so long, anybody may have come.
+    constexpr double kSilence = 0.3;  // s
+    if (dt > kSilence) {
       const UnseenMap nobody_looked;
       Kickers anybody = kickers_;
       anybody.unseen = &nobody_looked;
