@@ -55,6 +55,8 @@ export async function goThroughTime(page) {
   expect(slow > 0.05 && slow < 0.3, `at a tenth of the speed ${slow} s go by in a second`);
   await page.click(".skip");
   await scrubTo(page, 0);
+  // Until the page shows it, what it showed before would pass for four seconds gone by.
+  await page.waitForFunction(() => Number(document.getElementById("position").textContent.split(":")[1]) < 1, undefined, BOUND);
   await page.selectOption("#timeline select", "10");
   const start = Date.now();
   await page.keyboard.press(" ");
