@@ -17,8 +17,8 @@ constexpr double kWorthSplitting = 0.03;
 
 /// Places in the list for each way of moving: the many instants of a kick along the floor must not
 /// crowd out the rarer one into the air. Index: BallMode.
-constexpr std::array<std::size_t, 2> kPlaces{10, 6};
-static_assert(kPlaces[0] + kPlaces[1] == kMaxBallBeliefs);
+constexpr std::array<std::size_t, kBallModes> kPlaces{10, 6, 2};
+static_assert(kPlaces[0] + kPlaces[1] + kPlaces[2] == kMaxBallBeliefs);
 
 /// Of the possibilities that move like this, the least probable; the list's size if there is none.
 std::size_t least_probable(const BallBeliefs& beliefs, BallMode mode) {
@@ -79,6 +79,18 @@ void take_step(BallBelief& belief, const BallStep& step, const BallMotion& motio
   lay_down(belief.state, motion);
 }
 
+BallStep step_of(const BallBelief& belief, double dt, const BallMotion& motion) {
+  switch (belief.mode) {
+    case BallMode::kRolling:
+      return step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);
+    case BallMode::kLed:
+      return step_led(belief.state.mean, dt, motion);
+    case BallMode::kFlying:
+      break;
+  }
+  return step_flying(belief.state.mean, dt, motion);
+}
+
 /// Kicks are soft, hard or into the air; shares add up to 1.
 struct KickKind {
   BallMode into{BallMode::kRolling};
@@ -97,6 +109,7 @@ std::array<KickKind, 3> kinds_of_kick(const BallMotion& motion) {
 struct KickChance {
   double rate{0.0};  // 1/s
   Eigen::Vector2d away{Eigen::Vector2d::Zero()};
+  double touched{0.0};  // that a robot touches it, in [0, 1]
 };
 
 KickChance chance_of(const BallBelief& belief, const Kickers& kickers, const BallMotion& motion) {
@@ -108,11 +121,12 @@ KickChance chance_of(const BallBelief& belief, const Kickers& kickers, const Bal
   const double towards = std::max(0.0, -touch.away.dot(belief.state.mean.segment<2>(3)));
   const double by_known =
       touch.probability * (motion.kicks_at_foot + towards / motion.stopping_way);
-  const double by_unseen = (1.0 - touch.probability) *
-                           unseen_touch(place, kickers, motion.foot_reach) * motion.kicks_at_foot;
-  const double rate = by_known + by_unseen + motion.kicks_alone;
-  if (rate <= 0.0) return {};
-  return {rate, (by_known / rate) * touch.away};
+  const double unseen =
+      (1.0 - touch.probability) * unseen_touch(place, kickers, motion.foot_reach);
+  const double rate = by_known + unseen * motion.kicks_at_foot + motion.kicks_alone;
+  const double touched = touch.probability + unseen;
+  if (rate <= 0.0) return {0.0, Eigen::Vector2d::Zero(), touched};
+  return {rate, (by_known / rate) * touch.away, touched};
 }
 
 BallBelief kicked(const BallBelief& before, double dt, const Kick& kick, const BallMotion& motion) {
@@ -123,6 +137,21 @@ BallBelief kicked(const BallBelief& before, double dt, const Kick& kick, const B
   belief.state.predict(step.transition, step.mean, step.disturbance);
   if (kick.into == BallMode::kRolling) lay_down(belief.state, motion);
   return belief;
+}
+
+/// The same ball, which something leads from now on, or no longer.
+///
+/// @param touched  that a robot touches it, in [0, 1]
+BallBelief changed_hands(BallBelief& before, double dt, double touched, const BallMotion& motion) {
+  const bool is_led = before.mode == BallMode::kLed;
+  const double rate =
+      is_led ? motion.leads_end : motion.leads_alone + touched * motion.leads_at_foot;
+  const double change = 1.0 - std::exp(-rate * dt);
+  BallBelief after = before;
+  after.mode = is_led ? BallMode::kRolling : BallMode::kLed;
+  after.probability *= change;
+  before.probability *= 1.0 - change;
+  return after;
 }
 
 /// What two beliefs are compared by.
@@ -184,10 +213,7 @@ void lay_down(Considered<6>& state, const BallMotion& motion) {
 void advance(BallBeliefs& beliefs, double dt, const BallMotion& motion) {
   for (BallBelief& belief : beliefs) {
     belief.since_kick += dt;
-    const BallStep step = belief.mode == BallMode::kFlying
-                              ? step_flying(belief.state.mean, dt, motion)
-                              : step_rolling(belief.state.mean, dt, motion.rolling_psd, motion);
-    take_step(belief, step, motion);
+    take_step(belief, step_of(belief, dt, motion), motion);
     if (const auto rebound = step_rebound(belief.state.mean, motion)) {
       take_step(belief, *rebound, motion);
     }
@@ -210,6 +236,9 @@ void split_off_kicks(BallBeliefs& beliefs,
   for (BallBelief& belief : beliefs) {
     if (belief.probability < kWorthSplitting) continue;
     const KickChance chance = chance_of(belief, kickers, motion);
+    if (belief.mode != BallMode::kFlying) {
+      put(kicks, changed_hands(belief, dt, chance.touched, motion));
+    }
     const double kick = 1.0 - std::exp(-chance.rate * dt);
     if (kick <= 0.0) continue;
     for (const KickKind& kind : kinds_of_kick(motion)) {
@@ -227,7 +256,7 @@ void add_others(BallBeliefs& beliefs, const BallBeliefs& others) {
   double sum = 0.0;
   for (const BallBelief& belief : beliefs) sum += belief.probability;
   for (const BallBelief& belief : others) sum += belief.probability;
-  std::array<BallBelief, 2> rest;
+  std::array<BallBelief, kBallModes> rest;
   for (const BallBelief& other : others) {
     BallBelief& alike = rest[static_cast<std::size_t>(other.mode)];
     if (other.probability >= kWorthSplitting * sum) {

@@ -24,7 +24,7 @@ struct BallBelief {
   BallMode kicked_into{BallMode::kRolling};  ///< ... and how
 };
 
-inline constexpr std::size_t kMaxBallBeliefs = 16;
+inline constexpr std::size_t kMaxBallBeliefs = 18;
 
 /// Probabilities add up to 1. A kick begins a possibility of its own and leaves the others as sharp
 /// as they are: mixed into them, as interacting models [Blom88] do, the chance of a kick in every

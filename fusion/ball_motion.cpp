@@ -38,6 +38,12 @@ BallStep step_rolling(const BallVector& mean, double dt, double psd, const BallM
   return step;
 }
 
+BallStep step_led(const BallVector& mean, double dt, const BallMotion& motion) {
+  BallMotion unbraked = motion;
+  unbraked.friction = 0.0;
+  return step_rolling(mean, dt, motion.led_psd, unbraked);
+}
+
 BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion) {
   BallStep step;
   const double braked = motion.drag * mean.tail<3>().norm() * dt;

@@ -12,14 +12,19 @@ namespace teamsight::fusion {
 using BallVector = Eigen::Matrix<double, 6, 1>;
 using BallMatrix = Eigen::Matrix<double, 6, 6>;
 
-/// On the floor, or above it.
-enum class BallMode : std::uint8_t { kRolling, kFlying };
+/// By itself on the floor, above it, or on the floor and not by itself.
+enum class BallMode : std::uint8_t { kRolling, kFlying, kLed };
+inline constexpr std::size_t kBallModes = 3;
 
 /// What balls do; SI.
 struct BallMotion {
   double radius{0.11};        ///< m; it lies this high
   double friction{0.45};      ///< m/s^2 on carpet; middle of 0.3 to 0.6
-  double rolling_psd{0.08};   ///< m^2/s^3: carpet is uneven
+  double rolling_psd{0.02};   ///< m^2/s^3: carpet is uneven
+  double led_psd{0.6};        ///< m^2/s^3, of one that is led: by a robot, a foot, a string
+  double leads_at_foot{1.0};  ///< per second: how soon a robot that touches a ball leads it
+  double leads_alone{0.01};   ///< per second, of any ball, whoever is near
+  double leads_end{1.0};      ///< per second: how soon one that is led rolls by itself again
   double flying_psd{0.3};     ///< m^2/s^3
   double gravity{9.81};       ///< m/s^2
   double drag{0.012};         ///< 1/m
@@ -63,6 +68,11 @@ struct BallStep {
                                     double dt,
                                     double psd,
                                     const BallMotion& motion);
+
+/// On the floor, wherever something leads it: not braked.
+///
+/// @param dt  s, above 0
+[[nodiscard]] BallStep step_led(const BallVector& mean, double dt, const BallMotion& motion);
 
 /// Ballistic with drag; bounces where it would come through the floor.
 [[nodiscard]] BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion);

@@ -265,7 +265,7 @@ class BallKind {
   double absorb(BallBelief& belief, const Look& look, const Candidate& candidate) const {
     take_look(belief.state, look, tail_factor(look.squared, look.degrees), rays_[candidate.index]);
     const double fast = too_fast(belief.state.mean);
-    if (belief.mode == BallMode::kRolling) settle(belief.state);
+    if (belief.mode != BallMode::kFlying) settle(belief.state);
     belief.seen_by = glance_.robot;
     belief.seen = glance_.exposure;
     return -0.5 * look.log_determinant -
