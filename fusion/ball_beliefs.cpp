@@ -121,8 +121,9 @@ KickChance chance_of(const BallBelief& belief, const Kickers& kickers, const Bal
   const double towards = std::max(0.0, -touch.away.dot(belief.state.mean.segment<2>(3)));
   const double by_known =
       touch.probability * (motion.kicks_at_foot + towards / motion.stopping_way);
-  const double unseen =
-      (1.0 - touch.probability) * unseen_touch(place, kickers, motion.foot_reach);
+  const double unseen = (1.0 - touch.probability) *
+                        (kickers.is_silence ? motion.kicks_in_play / motion.kicks_at_foot
+                                            : unseen_touch(place, kickers, motion.foot_reach));
   const double rate = by_known + unseen * motion.kicks_at_foot + motion.kicks_alone;
   const double touched = touch.probability + unseen;
   if (rate <= 0.0) return {0.0, Eigen::Vector2d::Zero(), touched};
@@ -148,6 +149,8 @@ BallBelief changed_hands(BallBelief& before, double dt, double touched, const Ba
       is_led ? motion.leads_end : motion.leads_alone + touched * motion.leads_at_foot;
   const double change = 1.0 - std::exp(-rate * dt);
   BallBelief after = before;
+  // At an unknown instant: on average it has been led for half of the time.
+  if (!is_led) after.state.cov += led_for_a_part(dt, motion);
   after.mode = is_led ? BallMode::kRolling : BallMode::kLed;
   after.probability *= change;
   before.probability *= 1.0 - change;
@@ -233,11 +236,12 @@ void split_off_kicks(BallBeliefs& beliefs,
                      const Kickers& kickers,
                      const BallMotion& motion) {
   BallBeliefs kicks;
+  BallBeliefs others;
   for (BallBelief& belief : beliefs) {
     if (belief.probability < kWorthSplitting) continue;
     const KickChance chance = chance_of(belief, kickers, motion);
     if (belief.mode != BallMode::kFlying) {
-      put(kicks, changed_hands(belief, dt, chance.touched, motion));
+      others.push_back(changed_hands(belief, dt, chance.touched, motion));
     }
     const double kick = 1.0 - std::exp(-chance.rate * dt);
     if (kick <= 0.0) continue;
@@ -249,6 +253,7 @@ void split_off_kicks(BallBeliefs& beliefs,
     belief.probability *= 1.0 - kick;
   }
   for (const BallBelief& kick : kicks) put(beliefs, kick);
+  for (const BallBelief& other : others) put(beliefs, other);
   normalise(beliefs);
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 // Shorter than this a ball that is hidden for a moment is not lost.
 constexpr Duration kShortestLoss = std::chrono::milliseconds(300);
+// What a ball was before is asked for so long: each look may make it clear.
+constexpr Duration kLongestDoubt = std::chrono::seconds(1);
 
 bool contains(const BallKeys& keys, std::uint32_t key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -35,6 +37,12 @@ std::size_t forerunner_of(const BallTrack& found,
     if (latest == balls.size() || balls[i].book.last_hit > balls[latest].book.last_hit) latest = i;
   }
   return latest;
+}
+
+/// Whether it is not yet decided what a ball was.
+bool is_in_doubt(const BallTrack& ball, const BallKeys& before) {
+  if (!ball.book.is_confirmed || ball.is_known_again) return false;
+  return !contains(before, ball.book.key) || ball.book.time - ball.book.born < kLongestDoubt;
 }
 
 /// The track that was given up last; 0: none ever.
@@ -62,10 +70,11 @@ std::uint32_t recognise(BallList& balls,
   const BallKeys after = confirmed_keys(balls);
   lost = last_lost(lost, before, after);
   for (std::size_t i = balls.size(); i-- > 0;) {
+    if (!is_in_doubt(balls[i], before)) continue;
     TrackBook& book = balls[i].book;
-    if (!book.is_confirmed || contains(before, book.key)) continue;
     if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
       book.key = balls[old].book.key;
+      balls[i].is_known_again = true;
       book.proven = std::max(book.proven, balls[old].book.proven);
       // It stands where the lost one stood: what came after that does not come before this.
       balls[old] = balls[i];
@@ -73,7 +82,10 @@ std::uint32_t recognise(BallList& balls,
       return lost;
     }
     const bool is_alone = after.size() == 1;
-    if (is_alone && lost != 0) book.key = std::exchange(lost, 0);
+    if (is_alone && lost != 0) {
+      balls[i].is_known_again = true;
+      book.key = std::exchange(lost, 0);
+    }
   }
   return lost;
 }

@@ -15,9 +15,9 @@ using BallKeys = InlineList<std::uint32_t, kMaxBallTracks>;
 ///
 /// A ball that nobody has seen for a while may be nearly anywhere, and what is seen then begins a
 /// track of its own (whatever is seen fits a track that may be anywhere, the false as well). Once
-/// that track is confirmed it takes the key of the lost one, which ends: of the one that it clearly
-/// goes on from (fusion/ball_choice.hpp), or, if no other ball is known, of the one that was given
-/// up last.
+/// that track is confirmed, and within its first second, it takes the key of the lost one, which
+/// ends: of the one that it clearly goes on from (fusion/ball_choice.hpp), or, if no other ball is
+/// known, of the one that was given up last.
 ///
 /// @param before  the tracks that were confirmed before the frame
 /// @param lost  key of the track that was given up last and not found again; 0: none

@@ -44,6 +44,15 @@ BallStep step_led(const BallVector& mean, double dt, const BallMotion& motion) {
   return step_rolling(mean, dt, motion.led_psd, unbraked);
 }
 
+BallMatrix led_for_a_part(double dt, const BallMotion& motion) {
+  // The mean of white_acceleration over [0, dt].
+  const Eigen::Matrix3d one = motion.led_psd * Eigen::Vector3d(1.0, 1.0, 0.0).asDiagonal();
+  BallMatrix added;
+  added << one * (dt * dt * dt / 12.0), one * (dt * dt / 6.0), one * (dt * dt / 6.0),
+      one * (dt / 2.0);
+  return added;
+}
+
 BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion) {
   BallStep step;
   const double braked = motion.drag * mean.tail<3>().norm() * dt;

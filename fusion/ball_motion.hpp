@@ -34,6 +34,7 @@ struct BallMotion {
   double least_climb{0.4};    ///< m/s: a bounce that leaves less ends on the floor
   double kicks_at_foot{6.0};  ///< per second, of a ball that a robot touches
   double kicks_alone{0.005};  ///< per second, of any ball, whoever is near: nobody can know of all
+  double kicks_in_play{0.5};  ///< per second, of any ball while nobody says anything at all
   double stopping_way{0.25};  ///< m; after so much on its way into a robot it is on its way back
   double high_share{0.1};     ///< of all games' kicks; the others go along the floor
   double high_share_weight{4.0};  ///< kicks of this game that weigh as much as `high_share`
@@ -73,6 +74,10 @@ struct BallStep {
 ///
 /// @param dt  s, above 0
 [[nodiscard]] BallStep step_led(const BallVector& mean, double dt, const BallMotion& motion);
+
+/// What is added to the covariance of one that is led since an unknown instant of the last `dt`
+/// (s).
+[[nodiscard]] BallMatrix led_for_a_part(double dt, const BallMotion& motion);
 
 /// Ballistic with drag; bounces where it would come through the floor.
 [[nodiscard]] BallStep step_flying(const BallVector& mean, double dt, const BallMotion& motion);

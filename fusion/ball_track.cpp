@@ -43,12 +43,10 @@ class BallKind {
     track.since_split += dt;
     track.since_counted += dt;
     if (track.since_split < kShortest) return;
-    // Where no robot has said anything for so long, anybody may have come.
     constexpr double kSilence = 0.3;  // s
     if (dt > kSilence) {
-      const UnseenMap nobody_looked;
       Kickers anybody = kickers_;
-      anybody.unseen = &nobody_looked;
+      anybody.is_silence = true;
       return think_of_kicks(track, anybody);
     }
     think_of_kicks(track, kickers_);

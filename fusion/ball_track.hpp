@@ -19,6 +19,7 @@ struct BallTrack {
   double high_share{0.0};   ///< ... and the share of those into the air
   /// s: since the last kick that was counted.
   double since_counted{std::numeric_limits<double>::infinity()};
+  bool is_known_again{false};  ///< it goes under the id of a ball that was lost
 };
 
 inline constexpr std::size_t kMaxBallTracks = 6;

@@ -26,6 +26,9 @@ struct Kickers {
   Carpet carpet;                     ///< that the map lies over
   double density{0.0};               ///< of the others where nobody ever looked, per m^2
   double radius{0.25};               ///< of their bodies; m
+  /// Nobody has said anything for a while: whoever was known may be elsewhere, and robots go for
+  /// the ball.
+  bool is_silence{false};
 };
 
 /// The robot that most likely touches a ball.

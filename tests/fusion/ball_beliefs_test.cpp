@@ -36,7 +36,8 @@ TEST(BallBeliefs, AKickLeavesTheBallThatRollsAsSharpAsItWas) {
 
   split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
 
-  ASSERT_EQ(beliefs.size(), 4U);
+  ASSERT_EQ(beliefs.size(), 5U);
+  EXPECT_EQ(beliefs[4].mode, BallMode::kLed);
   EXPECT_EQ(beliefs[0].state.cov, rolling_ball()[0].state.cov);
   EXPECT_GT(beliefs[0].probability, 0.95);
   EXPECT_GT(beliefs[1].state.cov(3, 3), 10.0);
@@ -144,7 +145,7 @@ TEST(BallBeliefs, AKickLeadsAwayFromTheFoot) {
 
   split_off_kicks(beliefs, kStep, foot_at(0.4), kMotion);
 
-  ASSERT_EQ(beliefs.size(), 4U);
+  ASSERT_EQ(beliefs.size(), 5U);
   EXPECT_GT(beliefs[1].state.mean(3), 0.5 * kMotion.sigma_shot);
   EXPECT_NEAR(beliefs[1].state.mean(4), 0.0, 1e-9);
 }
