@@ -2,6 +2,7 @@
 #include "fusion/ball_beliefs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -148,6 +149,44 @@ TEST(BallBeliefs, AKickLeadsAwayFromTheFoot) {
   ASSERT_EQ(beliefs.size(), 5U);
   EXPECT_GT(beliefs[1].state.mean(3), 0.5 * kMotion.sigma_shot);
   EXPECT_NEAR(beliefs[1].state.mean(4), 0.0, 1e-9);
+}
+
+TEST(BallBeliefs, WhileNobodySaysAnythingItIsKickedAsOftenAsInPlay) {
+  Kickers nobody_speaks = kNobodyNear;
+  nobody_speaks.is_silence = true;
+
+  const double rate = kick_rate(rolling_ball(), nobody_speaks, kMotion);
+
+  EXPECT_NEAR(rate, kMotion.kicks_alone + kMotion.kicks_in_play, 1e-9);
+}
+
+TEST(BallBeliefs, ABallThatIsTouchedIsTheSoonerLed) {
+  BallBeliefs alone = rolling_ball();
+  BallBeliefs touched = rolling_ball();
+
+  split_off_kicks(alone, kStep, kNobodyNear, kMotion);
+  split_off_kicks(touched, kStep, foot_at(0.4), kMotion);
+
+  ASSERT_EQ(alone[4].mode, BallMode::kLed);
+  ASSERT_EQ(touched[4].mode, BallMode::kLed);
+  EXPECT_GT(touched[4].probability, 20.0 * alone[4].probability);
+}
+
+TEST(BallBeliefs, WhatNobodySeesRollsByItselfAgain) {
+  BallBeliefs beliefs = rolling_ball();
+  beliefs[0].mode = BallMode::kLed;
+
+  for (int i = 0; i < 100; ++i) {
+    advance(beliefs, kStep, kMotion);
+    split_off_kicks(beliefs, kStep, kNobodyNear, kMotion);
+    tidy(beliefs);
+  }
+
+  double led = 0.0;
+  for (const BallBelief& belief : beliefs) {
+    if (belief.mode == BallMode::kLed) led += belief.probability;
+  }
+  EXPECT_NEAR(led, std::exp(-100.0 * kStep * kMotion.leads_end), 0.03);
 }
 
 TEST(BallBeliefs, ABallOverEverybodysHeadIsNotKicked) {

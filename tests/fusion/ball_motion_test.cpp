@@ -60,6 +60,35 @@ TEST(FlyingBall, RollsWhenABounceLeavesNothing) {
   EXPECT_FALSE(step_flying(moving(kMotion.radius, 1.0, -3.0), kStep, kMotion).lands);
 }
 
+TEST(LedBall, GoesOnUnbrakedAndLessSurely) {
+  const BallVector ball = moving(kMotion.radius, 2.0, 0.0);
+
+  const BallStep led = step_led(ball, kStep, kMotion);
+  const BallStep free = step_rolling(ball, kStep, kMotion.rolling_psd, kMotion);
+
+  EXPECT_EQ(led.mean(3), ball(3));
+  EXPECT_LT(free.mean(3), ball(3));
+  EXPECT_GT(led.disturbance(3, 3), 10.0 * free.disturbance(3, 3));
+  EXPECT_EQ(led.mean(2), kMotion.radius);
+}
+
+TEST(LedBall, LedSinceAnUnknownInstantIsTheMeanOverAllInstants) {
+  constexpr double kLong = 2.0;  // s
+  constexpr int kInstants = 2000;
+  BallMatrix mean = BallMatrix::Zero();
+  for (int i = 0; i < kInstants; ++i) {
+    const double led = (i + 0.5) / kInstants * kLong;
+    mean += step_led(moving(kMotion.radius, 1.0, 0.0), led, kMotion).disturbance / kInstants;
+  }
+
+  const BallMatrix added = led_for_a_part(kLong, kMotion);
+
+  for (const auto& [row, column] : {std::pair{0, 0}, {0, 3}, {4, 1}, {4, 4}, {0, 1}}) {
+    EXPECT_NEAR(added(row, column), mean(row, column), 1e-4) << row << ", " << column;
+  }
+  EXPECT_EQ(added(2, 2), 0.0);
+}
+
 TEST(KickedBall, HasAnyVelocityFromAnInstantWithinTheStep) {
   const BallStep kick = step_kicked(
       moving(kMotion.radius, 2.0, 0.0), kStep, {BallMode::kRolling, {0.0, 0.0}, 4.0}, kMotion);

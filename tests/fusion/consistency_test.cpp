@@ -1,5 +1,6 @@
 // tests/fusion/consistency_test.cpp: errors are as large as the covariances say, over many seeds.
 #include <cmath>
+#include <cstdio>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
@@ -42,6 +43,8 @@ class SquaredErrors {
     const double spread = 3.3 * std::sqrt(2.0 * degrees / samples);
     EXPECT_NEAR(sum_ / count_, degrees, spread + slack * degrees) << "over " << count_;
   }
+
+  [[nodiscard]] double mean() const { return sum_ / count_; }
 
   /// Within these shares of the degrees of freedom.
   void expect_between(int degrees, double least, double most) const {
@@ -113,6 +116,50 @@ WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& repo
   }
   report = fusion.report_at(now);
   return fusion.world_at(now);
+}
+
+/// Three robots watch a ball that is led round a circle at 1.5 m/s, with nobody near it.
+SquaredErrors watch_led_ball(std::uint64_t seed, const Parameters& parameters) {
+  constexpr double kCircle = 2.5;  // m
+  constexpr double kSpeed = 1.5;   // m/s
+  const auto ball_at = [&](double t) {
+    const double angle = kSpeed / kCircle * t;
+    return Point<Field>{kCircle * std::cos(angle), kCircle * std::sin(angle)};
+  };
+  Random random(seed);
+  const test::EyeNoise noise{0.004, 0.05, 0.02, 0.005};
+  Eye eyes[] = {{1, 11, noise}, {2, 22, noise}, {3, 33, noise}};
+  Fusion fusion(parameters, test::plain_field());
+  SquaredErrors errors;
+  for (int i = 0; i < 900; ++i) {
+    const double t = i * kFrame / 3.0;
+    Eye& eye = eyes[i % 3];
+    eye.look(kStands[i % 3], at_second(t), &random);
+    eye.see_ball(ball_at(t), &random);
+    fusion.insert(eye.frame(), at_second(t));
+    if (t < 2.0) continue;
+    const WorldModel world = fusion.world_at(at_second(t));
+    if (world.balls.empty()) continue;
+    const Eigen::Vector2d error =
+        world.balls.front().p_FB.on_floor().vector() - ball_at(t).vector();
+    errors.add(error, world.balls.front().cov_p.topLeftCorner<2, 2>());
+  }
+  return errors;
+}
+
+TEST(FusionConsistency, ABallThatIsLedIsFollowedAsWellAsIsSaid) {
+  Parameters never_led;
+  never_led.ball_motion.leads_alone = never_led.ball_motion.leads_at_foot = 0.0;
+  double nees = 0.0;
+  double nees_if_never_led = 0.0;
+  constexpr int kRuns = 5;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    nees += watch_led_ball(seed, Parameters{}).mean() / (2.0 * kRuns);
+    nees_if_never_led += watch_led_ball(seed, never_led).mean() / (2.0 * kRuns);
+  }
+  std::printf("NEES %.2f, as a ball that nobody leads %.2f\n", nees, nees_if_never_led);
+  EXPECT_LT(nees, 1.3);
+  EXPECT_GT(nees_if_never_led, 1.3);
 }
 
 TEST(FusionConsistency, ErrorsAndInnovationsFitTheirCovariances) {
