@@ -92,6 +92,12 @@ struct Roller {
 
 const Pose<Field, Robot> kStands[] = {{-3.0, -1.0, 0.4}, {2.5, 2.0, -2.0}, {0.5, -3.0, 1.6}};
 
+/// Where a robot sees a thing that sees all too far by this share.
+Point<Field> too_far(const Pose<Field, Robot>& X_FR, const Point<Field>& p_F, double share) {
+  const Eigen::Vector2d from = X_FR.origin().vector();
+  return Point<Field>::from(from + (1.0 + share) * (p_F.vector() - from));
+}
+
 /// Three robots watch a ball and an opponent for a second; what is the world worth at the end?
 WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& report) {
   Random random(seed);
@@ -99,6 +105,8 @@ WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& repo
   Eye eyes[] = {{1, 11, noise}, {2, 22, noise}, {3, 33, noise}};
   Parameters parameters;
   parameters.ball_motion.kicks_at_foot = parameters.ball_motion.kicks_alone = 1e-6;
+  double scales[3] = {};
+  for (double& scale : scales) scale = normal(random, parameters.teammate.sigma_scale);
   Fusion fusion(parameters, test::plain_field());
   ball.v_F << normal(random, 1.5), normal(random, 1.5);
   opponent.p_F << -0.5, 1.5;
@@ -110,8 +118,11 @@ WorldModel watch(std::uint64_t seed, Roller& ball, Mover& opponent, Report& repo
     now += from_seconds(dt);
     Eye& eye = eyes[i % 3];
     eye.look(kStands[i % 3], now, &random);
-    eye.see_ball(Point<Field>::from(ball.p_F), &random);
-    eye.see_obstacle(Point<Field>::from(opponent.p_F), &random);
+    const auto seen = [&](const Eigen::Vector2d& p_F) {
+      return too_far(kStands[i % 3], Point<Field>::from(p_F), scales[i % 3]);
+    };
+    eye.see_ball(seen(ball.p_F), &random);
+    eye.see_obstacle(seen(opponent.p_F), &random);
     fusion.insert(eye.frame(), now);
   }
   report = fusion.report_at(now);
