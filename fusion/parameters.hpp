@@ -118,7 +118,7 @@ struct TrustParameters {
   double mirror_margin{2.5};  ///< ... and lead over the next best explanation
   double most_own{4.0};       ///< of a robot's own log-odds of its half, however convinced it is
   double sigma_bias{0.5};     ///< m per axis: how far aside a biased posture may stand
-  double least_bias{0.2};     ///< m: what stands aside by less is not called biased
+  double least_bias{0.25};    ///< m, half a robot: what stands aside by less is not called biased
   double bias_margin{6.0};    ///< log-odds by which the best explanation leads over the next
   double biased{16.0};        ///< squared normalised offset of a posture that halves its trust
   Duration hold{std::chrono::milliseconds(700)};  ///< a quarantine lasts at least
