@@ -53,10 +53,13 @@ bool is_seen_beside(const TrackBook& before, const TrackBook& after) {
 
 /// Log-odds that the one listed before is a ball, against another that is found. Where both are
 /// seen at once, neither is the other hidden: one that a single robot has vouched for so far is
-/// then no better founded than a new one.
+/// then no better founded than a new one. Where the other began as the ball that was known before
+/// might have, either may be that ball: what counts is who sees which of them now.
 double log_odds_held(const TrackBook& before,
-                     const TrackBook& after,
+                     const BallTrack& found,
                      const Parameters& parameters) {
+  if (found.branched_from == before.key) return log_odds_of(before);
+  const TrackBook& after = found.book;
   const double proven = log_odds_proven(before, parameters.choice);
   const double one_word = parameters.ball.most_vote;
   const bool is_as_new = is_seen_beside(before, after) && before.proven <= one_word;
@@ -90,6 +93,12 @@ double log_explained(const BallTrack& before,
                      const BallTrack& after,
                      const ChoiceParameters& parameters) {
   if (is_seen_beside(before.book, after.book)) return std::log(kLeast);
+  return log_foreseen(before, after, parameters);
+}
+
+double log_foreseen(const BallTrack& before,
+                    const BallTrack& after,
+                    const ChoiceParameters& parameters) {
   const BallMoments found = moments_of(after.beliefs);
   const MotionCov found_cov = found.cov(kOnFloor, kOnFloor);
   double expected = 0.0;
@@ -123,7 +132,7 @@ BallOrder order_of_choice(const BallList& balls,
     std::size_t place = order.size();
     while (place > 0) {
       const BallTrack& old = balls[order[place - 1]];
-      const double real = log_odds_held(old.book, balls[i].book, parameters) + hint(old);
+      const double real = log_odds_held(old.book, balls[i], parameters) + hint(old);
       // Odds against the old one being real add to those of its having been kicked there.
       const double kicked = log_explained(old, balls[i], parameters.choice);
       const double lost = log_lost(old.book, balls[i].book, parameters.choice);

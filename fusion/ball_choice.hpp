@@ -26,6 +26,11 @@ using BallOrder = InlineList<std::size_t, kMaxBallTracks>;
                                    const BallTrack& after,
                                    const ChoiceParameters& parameters);
 
+/// The same, whenever both were seen.
+[[nodiscard]] double log_foreseen(const BallTrack& before,
+                                  const BallTrack& after,
+                                  const ChoiceParameters& parameters);
+
 /// The confirmed balls: first the one that is the game's most probably.
 ///
 /// The balls stand in the order of their births. Each younger one is weighed against the best of

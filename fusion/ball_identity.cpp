@@ -39,6 +39,20 @@ std::size_t forerunner_of(const BallTrack& found,
   return latest;
 }
 
+/// Key of the ball that `found` may be though both have been seen: in a tussle the false one is
+/// taken for the known ball as soon as the true one is. 0: none.
+std::uint32_t branch_of(const BallTrack& found,
+                        const BallList& balls,
+                        const Parameters& parameters) {
+  for (const BallTrack& ball : balls) {
+    const bool is_older = ball.book.is_confirmed && ball.book.born < found.book.born;
+    const bool is_seen_too = ball.book.last_hit > found.book.born;
+    if (!is_older || !is_seen_too) continue;
+    if (log_foreseen(ball, found, parameters.choice) > 0.0) return ball.book.key;
+  }
+  return 0;
+}
+
 /// Whether it is not yet decided what a ball was.
 bool is_in_doubt(const BallTrack& ball, const BallKeys& before) {
   if (!ball.book.is_confirmed || ball.is_known_again) return false;
@@ -72,6 +86,9 @@ std::uint32_t recognise(BallList& balls,
   for (std::size_t i = balls.size(); i-- > 0;) {
     if (!is_in_doubt(balls[i], before)) continue;
     TrackBook& book = balls[i].book;
+    if (!contains(before, book.key)) {
+      balls[i].branched_from = branch_of(balls[i], balls, parameters);
+    }
     if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
       book.key = balls[old].book.key;
       balls[i].is_known_again = true;

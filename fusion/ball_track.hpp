@@ -19,6 +19,8 @@ struct BallTrack {
   double high_share{0.0};   ///< ... and the share of those into the air
   /// s: since the last kick that was counted.
   double since_counted{std::numeric_limits<double>::infinity()};
+  /// Key of the ball that was seen beside it when it began, and that it may be instead; 0: none.
+  std::uint32_t branched_from{0};
   bool is_known_again{false};  ///< it goes under the id of a ball that was lost
 };
 

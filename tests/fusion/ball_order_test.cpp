@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fusion/ball_choice.hpp"
+#include "fusion/ball_identity.hpp"
 #include "tests/fusion/scenario.hpp"
 
 namespace teamsight::fusion {
@@ -100,6 +101,65 @@ TEST(OrderOfChoice, ABallOfRobotsThatAreFoundElsewhereGoesBehindTheOthersBall) {
   take_back(balls[0].book, 1, kParameters.ball);
   take_back(balls[0].book, 2, kParameters.ball);
   EXPECT_EQ(first(), 1U);
+}
+
+/// A ball that three robots long saw, and hardly see any more.
+BallTrack ball_that_was_known() {
+  BallTrack ball = ball_at(0.0, 0.0, 0.0, 2.2);
+  ball.book.key = 5;
+  ball.book.proven = 9.0;
+  return ball;
+}
+
+/// Another 0.5 m aside, which the three see since a moment before they lost the first.
+BallTrack ball_beside_it() {
+  BallTrack ball = ball_at(0.5, 0.0, 2.0, 2.6);
+  ball.book.key = 6;
+  for (const RobotId robot : {RobotId{2}, RobotId{3}}) {
+    for (int i = 0; i < 3; ++i) {
+      write_hit(ball.book, {robot, at_second(2.6), 0.9}, 1.0, kParameters.ball);
+    }
+  }
+  return ball;
+}
+
+TEST(OrderOfChoice, OfTwoThatMayBeTheKnownBallTheOneThatMoreRobotsSeeIsIt) {
+  BallList balls;
+  balls.push_back(ball_that_was_known());
+  balls.push_back(ball_beside_it());
+  const auto first = [&]() {
+    return order_of_choice(balls, HintedBall{}, at_second(2.6), kParameters)[0];
+  };
+
+  EXPECT_EQ(first(), 0U);
+  balls[1].branched_from = balls[0].book.key;
+  EXPECT_EQ(first(), 1U);
+  for (const RobotId robot : {RobotId{2}, RobotId{3}, RobotId{4}}) {
+    for (int i = 0; i < 3; ++i) {
+      write_hit(balls[0].book, {robot, at_second(2.6), 0.9}, 1.0, kParameters.ball);
+    }
+  }
+  EXPECT_EQ(first(), 0U);
+}
+
+TEST(Recognise, ABallThatBeginsWhereTheKnownOneMayHaveBeenKickedMayBeIt) {
+  const auto branch = [](double x, double chance_of_kick) {
+    BallList balls;
+    balls.push_back(ball_that_was_known());
+    if (chance_of_kick > 0.0) doubt(balls[0], chance_of_kick);
+    BallTrack beside = ball_beside_it();
+    beside.beliefs[0].state.mean(0) = x;
+    beside.beliefs[0].state.mean(3) = 2.0;  // m/s, as after a kick a second ago
+    balls.push_back(beside);
+    BallKeys before;
+    before.push_back(balls[0].book.key);
+    (void)recognise(balls, before, 0, kParameters);
+    return balls[1].branched_from;
+  };
+
+  EXPECT_EQ(branch(2.0, 0.1), 5U);
+  EXPECT_EQ(branch(2.0, 0.0), 0U);
+  EXPECT_EQ(branch(9.0, 0.1), 0U);
 }
 
 TEST(OrderOfChoice, LeavesOutWhatIsNotConfirmed) {
