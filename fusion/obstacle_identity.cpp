@@ -27,10 +27,9 @@ bool is_covered(const KnownObstacle& one, const TrackList& tracks, double distan
 
 /// Density of the found track's place, of the lost one's that has moved on since; 1/m^2.
 double density_of(const Track& found, const KnownObstacle& lost, const TrackParameters& obstacle) {
-  const PlanarMoments moved =
-      predicted(lost.moments,
-                std::max(0.0, to_seconds(found.book.time - lost.time)),
-                {obstacle.acceleration_psd, obstacle.velocity_decay});
+  const PlanarMoments moved = predicted(lost.moments,
+                                        std::max(0.0, to_seconds(found.book.time - lost.time)),
+                                        {obstacle.acceleration_psd, obstacle.velocity_decay});
   const Eigen::Vector2d gap = (found.state.mean - moved.mean).head<2>();
   const Eigen::Matrix2d cov = (found.state.cov + moved.cov).topLeftCorner<2, 2>();
   return std::exp(-0.5 * gap.dot(cov.inverse() * gap)) /
@@ -65,7 +64,8 @@ KnownObstacles known_obstacles(const TrackList& tracks) {
   for (const Track& track : tracks) {
     const TrackBook& book = track.book;
     if (!book.is_confirmed) continue;
-    known.push_back({book.key, book.last_hit, book.time, {track.state.mean, track.state.cov}});
+    known.push_back(
+        {book.key, book.last_hit, book.time, book.proven, {track.state.mean, track.state.cov}});
   }
   return known;
 }
@@ -76,7 +76,7 @@ void recognise(TrackList& tracks,
                HostTime exposure,
                const Parameters& parameters) {
   for (const KnownObstacle& one : before) {
-    if (has_key(tracks, one.key)) continue;
+    if (has_key(tracks, one.key) || one.proven <= 0.0) continue;
     if (!is_covered(one, tracks, parameters.obstacle.merge_distance)) remember(lost, one);
   }
   for (std::size_t i = lost.size(); i-- > 0;) {
@@ -87,6 +87,7 @@ void recognise(TrackList& tracks,
     const std::size_t old = forerunner_of(track, lost, parameters);
     if (old == lost.size()) continue;
     track.book.key = lost[old].key;
+    if (lost[old].proven > parameters.obstacle.most_vote) track.book.doubt = 0.0;
     lost.erase(old);
   }
 }
