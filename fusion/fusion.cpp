@@ -88,6 +88,10 @@ bool contains(const List& tracks, std::uint32_t key) {
       tracks.begin(), tracks.end(), [key](const auto& track) { return track.book.key == key; });
 }
 
+bool is_lost(const KnownObstacles& lost, std::uint32_t key) {
+  return std::ranges::any_of(lost, [key](const KnownObstacle& one) { return one.key == key; });
+}
+
 }  // namespace
 
 Fusion::Fusion(const Parameters& parameters, const FieldModel& field)
@@ -116,7 +120,8 @@ Intake Fusion::insert(const Observation& observation, HostTime now) {
   take_in_from(place);
   const State& state = head();
   names_.keep_if([&state](std::uint32_t key) {
-    return contains(state.balls, key) || contains(state.obstacles, key) || key == state.lost_ball;
+    return contains(state.balls, key) || contains(state.obstacles, key) || key == state.lost_ball ||
+           is_lost(state.lost_obstacles, key);
   });
   return intake;
 }

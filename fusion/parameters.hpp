@@ -148,6 +148,8 @@ struct NewcomerParameters {
   double lasting_density{6e-6};
   double least_detected{0.05};  ///< that a robot reports one that it can hardly see, per frame
   double most_doubt{6.0};       ///< log-odds; as much as two robots' votes
+  /// One that was lost is known again within this time; see fusion/obstacle_identity.hpp.
+  Duration lost_memory{std::chrono::seconds(5)};
 };
 
 /// How fast it is learned how completely a robot reports what it should see (fusion/eyesight.hpp).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -16,6 +17,8 @@ namespace {
 
 // Track keys of balls and obstacles of one observation must differ.
 constexpr std::uint32_t kFirstObstacleIndex = 64;
+// What half an obstacle's width errs by where nothing hides it; m.
+constexpr double kSigmaAside = 0.05;
 // Where along a ray that meets no carpet a ball may be; m.
 constexpr double kAnyRange = 5.0;
 
@@ -83,21 +86,43 @@ CandidateList ball_candidates(const Observation& observation,
   return candidates;
 }
 
+/// How wide a whole robot seems whose foot is that far away: its edges lie behind its foot; m.
+double apparent_width(double distance, double radius) {
+  return 2.0 * radius * std::sqrt(distance / (distance + 2.0 * radius));
+}
+
+/// A sighting with what its width says of its axis: narrower than a robot, part of it is hidden;
+/// wider, there are two side by side. By what is missing or too much the axis may lie aside, and
+/// where that is more than it errs by anyway, it is as unsure as that.
+ObstacleSighting with_unsure_axis(const ObstacleSighting& sighting, double radius) {
+  ObstacleSighting unsure = sighting;
+  const Eigen::Vector2d foot = sighting.p_RO.vector();
+  const double distance = foot.norm();
+  if (sighting.width <= 0.0 || distance < 1e-6) return unsure;
+  const double aside = 0.5 * (sighting.width - apparent_width(distance, radius));
+  const Eigen::Vector2d across = Eigen::Vector2d(-foot.y(), foot.x()) / distance;
+  const double more =
+      aside * aside - across.dot(sighting.cov_R * across) - kSigmaAside * kSigmaAside;
+  if (more > 0.0) unsure.cov_R += more * Eigen::Matrix2d::Identity();
+  return unsure;
+}
+
 CandidateList obstacle_candidates(const Observation& observation,
                                   const TeamErrors& errors,
                                   const Setting& setting) {
   CandidateList candidates;
   const PostureEstimate fresh = without_lasting(observation, errors);
   for (std::uint32_t index = 0; index < observation.obstacles.size(); ++index) {
-    const ObstacleSighting& sighting = observation.obstacles[index];
+    const double robot_radius = setting.parameters.robot_radius;
+    const ObstacleSighting sighting = with_unsure_axis(observation.obstacles[index], robot_radius);
     if (sighting.confidence < setting.parameters.obstacle.min_confidence) continue;
     if (candidates.is_full()) break;
-    const double radius = radius_of(sighting, setting.parameters.robot_radius);
-    const auto measurement = measure_obstacle(sighting, observation.posture, radius);
+    const double radius = radius_of(sighting, robot_radius);
+    const auto measurement = measure_obstacle(sighting, observation.posture, robot_radius);
     if (!is_on_carpet(measurement.p_F, setting)) continue;
     Candidate candidate =
         make_candidate(measurement, observation.posture.X_FR.origin().vector(), radius);
-    candidate.cov_own = measure_obstacle(sighting, fresh, radius).cov_F;
+    candidate.cov_own = measure_obstacle(sighting, fresh, robot_radius).cov_F;
     candidate.confidence = sighting.confidence;
     candidate.key = track_key(observation.id, kFirstObstacleIndex + index);
     candidate.index = index;
@@ -190,6 +215,16 @@ bool fits_an_obstacle(const Candidate& seen,
   });
 }
 
+/// Density of seeing another body that far from a teammate's: where robots crowd they stand side by
+/// side, but never nearer than they are wide; 1/m^2.
+///
+/// @param sigma  per axis, of what is seen; m
+double density_of_others(double distance, double sigma, const Parameters& parameters) {
+  const double beyond = distance - 2.0 * parameters.robot_radius;
+  return 0.5 * parameters.teammate.other_density *
+         std::erfc(-beyond / (std::numbers::sqrt2 * sigma));
+}
+
 /// Cost of taking a sighted thing for a teammate's body.
 ///
 /// @param is_obstacle  it fits one that is known: being near to the teammate is not enough then
@@ -204,6 +239,17 @@ double body_cost(const TeamErrors::Residual& residual,
   const bool is_touching = !is_obstacle && lesson.surprise.norm() < parameters.teammate.body_reach;
   if (is_within || is_touching) return squared;
   return kForbidden;
+}
+
+/// Whether what may be a teammate's body is rather another one beside it.
+bool is_beside(const TeamErrors::Residual& residual,
+               const State& state,
+               const Parameters& parameters) {
+  const TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
+  const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
+  const double sigma = std::sqrt(0.5 * lesson.inverse.inverse().trace());
+  return tail_density(squared, lesson.inverse) <=
+         density_of_others(lesson.surprise.norm(), sigma, parameters);
 }
 
 /// Tells the book of biases how far from where it says the teammate was seen.
@@ -264,7 +310,15 @@ MateSightings find_teammates(const CandidateList& candidates,
   const Assignment assignment = assign(cost, kAlonePrice);
   MateSightings mates;
   mates.mate_of.fill(kUnassigned);
-  for (std::size_t row = 0; row < candidates.size(); ++row) mates.mate_of[row] = assignment[row];
+  mates.beside.fill(kUnassigned);
+  for (std::size_t row = 0; row < candidates.size(); ++row) {
+    if (assignment[row] == kUnassigned) continue;
+    const Teammate& mate = state.teammates[static_cast<std::size_t>(assignment[row])];
+    const auto body = body_of(mate, glance.robot, glance.exposure, state, parameters);
+    const auto residual = residual_of(candidates[row], *body, glance, state, parameters);
+    auto& places = is_beside(residual, state, parameters) ? mates.beside : mates.mate_of;
+    places[row] = assignment[row];
+  }
   return mates;
 }
 
@@ -274,11 +328,14 @@ void learn_from_teammates(State& state,
                           const Glance& glance,
                           const Parameters& parameters) {
   for (std::size_t row = 0; row < candidates.size(); ++row) {
-    if (mates.mate_of[row] == kUnassigned) continue;
-    const Teammate& teammate = state.teammates[static_cast<std::size_t>(mates.mate_of[row])];
+    const bool is_mate = mates.mate_of[row] != kUnassigned;
+    const int mate = is_mate ? mates.mate_of[row] : mates.beside[row];
+    if (mate == kUnassigned) continue;
+    const Teammate& teammate = state.teammates[static_cast<std::size_t>(mate)];
     const auto body = body_of(teammate, glance.robot, glance.exposure, state, parameters);
     if (!body || body->is_turned) continue;
     note_gap(state.aside, candidates[row], *body, glance, parameters);
+    if (!is_mate) continue;
     TeamErrors::Residual residual = residual_of(candidates[row], *body, glance, state, parameters);
     TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
     const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);

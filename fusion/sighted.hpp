@@ -24,10 +24,13 @@ struct Sighted {
 /// Which candidate is which teammate, by index; kUnassigned where it is none.
 struct MateSightings {
   std::array<int, kMaxCandidates> mate_of{};
+  /// Which teammate it touches, though it is rather another body beside it. If many do, the
+  /// teammate stands aside of where it says.
+  std::array<int, kMaxCandidates> beside{};
 };
 
 /// Gives sighted things to teammates at the least total cost: within the gate, or so near to a
-/// teammate that nothing else can stand there.
+/// teammate that it is likelier the teammate, badly seen, than another body that stands beside it.
 [[nodiscard]] MateSightings find_teammates(const CandidateList& candidates,
                                            const State& state,
                                            const Observation& observation,

@@ -228,11 +228,13 @@ std::size_t take_sighted(State& state,
   ball.motion.high_share = high_share(state.kicks, parameters.ball_motion);
   const Kickers kickers = kickers_at(state, observation.exposure, setting);
   const BallKeys known = confirmed_keys(state.balls);
+  const KnownObstacles before = known_obstacles(state.obstacles);
   const std::uint32_t unused =
       take_in(state.balls, {sighted.balls, observation.balls, kickers, state.kicks}, scene, ball) +
       take_in(state.obstacles, obstacles, scene, parameters.obstacle);
   learn_eyesight(state, observer, mates, scene, parameters);
   state.lost_ball = recognise(state.balls, known, state.lost_ball, parameters);
+  recognise(state.obstacles, before, state.lost_obstacles, observation.exposure, parameters);
   return sighted.balls.size() + sighted.obstacles.size() - unused;
 }
 

@@ -6,6 +6,7 @@
 #include "fusion/ball_identity.hpp"
 #include "fusion/ball_track.hpp"
 #include "fusion/observation.hpp"
+#include "fusion/obstacle_identity.hpp"
 #include "fusion/parameters.hpp"
 #include "fusion/team_errors.hpp"
 #include "fusion/teammate.hpp"
@@ -24,6 +25,7 @@ struct State {
   KickTally kicks;             ///< of this game
   HintedBall hinted;           ///< by the operator; decides which ball is listed first, no more
   TrackList obstacles;
+  KnownObstacles lost_obstacles;                ///< that were dropped not long ago
   UnseenMap unseen;                             ///< obstacles that are in no track
   InlineList<Teammate, kMaxRobotId> teammates;  ///< in the order in which they were first seen
   TeamErrors errors;

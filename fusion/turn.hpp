@@ -146,13 +146,25 @@ class Turn {
     }
   }
 
-  /// Whether an older track (they stand in order of birth) covers this one.
+  /// Whether a track that it yields to covers this one.
   [[nodiscard]] bool is_doubled(std::size_t index) const {
-    for (std::size_t i = 0; i < index; ++i) {
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      if (i == index || !yields(index, i)) continue;
       const Eigen::Vector2d gap_F = kind_.place(tracks_[index]) - kind_.place(tracks_[i]);
       if (gap_F.norm() < parameters_.merge_distance) return true;
     }
     return false;
+  }
+
+  /// Of two in one place the younger yields (they stand in order of birth), unless the older one is
+  /// rather not there and the younger one is.
+  [[nodiscard]] bool yields(std::size_t one, std::size_t other) const {
+    const bool is_here = stands(tracks_[one].book);
+    return is_here == stands(tracks_[other].book) ? other < one : !is_here;
+  }
+
+  [[nodiscard]] bool stands(const TrackBook& book) const {
+    return log_odds_of(book) > 0.0 || book.proven >= parameters_.lasting_log_odds;
   }
 
   const Kind& kind_;

@@ -18,7 +18,7 @@
 #include "bench/fuse_score/claims.hpp"
 #include "bench/fuse_score/run.hpp"
 #include "process/program.hpp"
-#include "settings/load.hpp"
+#include "tools/camera_games.hpp"
 #include "tools/many_threads.hpp"
 #include "tools/progress_line.hpp"
 #include "tools/score_command.hpp"
@@ -41,6 +41,7 @@ struct Options {
   std::string camera{"config/cameras/sim-640.textproto"};
   std::string field{"config/fields/msl-2024.textproto"};
   int samples{1};
+  std::string kept;
 };
 
 constexpr double kCameraRate = 10.0;  // Hz, if nobody says another
@@ -55,7 +56,7 @@ struct Game {
   double worst_clock{0.0};  ///< s
 };
 
-using Cameras = std::optional<camera_play::CameraSetup>;
+using Cameras = std::optional<CameraGames>;
 
 ordered_json ball_json(const score::BallTally& ball) {
   const double bound = std::sqrt(ball.bound_position.mean());
@@ -172,20 +173,12 @@ void merge(std::vector<score::Scored>& into, const std::vector<score::Scored>& f
   }
 }
 
-play::PlayLog log_of(const play::Scenario& scenario,
-                     std::uint64_t seed,
-                     double seconds,
-                     const Cameras& cameras) {
-  if (!cameras) return play::play_log(scenario, seed, seconds);
-  camera_play::CameraEyes eyes(*cameras, scenario, seed);
-  return play::play_log(scenario, seed, seconds, eyes);
-}
-
 Game score_game(const play::Scenario& scenario,
                 std::uint64_t seed,
                 const Options& options,
                 const Cameras& cameras) {
-  const play::PlayLog log = log_of(scenario, seed, options.seconds, cameras);
+  const play::PlayLog log = cameras ? camera_game(scenario, seed, options.seconds, *cameras)
+                                    : play::play_log(scenario, seed, options.seconds);
   const auto ticks = score::make_ticks(log);
   Game game;
   game.fused = score::run_fusion(log, ticks, false);
@@ -236,7 +229,7 @@ void score_scenario(const play::Scenario& scenario,
                     const Cameras& cameras) {
   const Game all = merged(score_games(scenario, options, cameras));
   ordered_json own = fusion_json(all.fused);
-  if (cameras) own["cameras"] = cameras->camera.name;
+  if (cameras) own["cameras"] = cameras->setup.camera.name;
   own["rate_hz"] = scenario.perception.rate;
   if (scenario.clocks.is_unknown) own["worst_clock_error_ms"] = rounded(1e3 * all.worst_clock);
   print(scenario.name, "teamsight", own);
@@ -279,11 +272,11 @@ std::vector<play::Scenario> chosen(const std::vector<std::string>& names) {
 
 Cameras cameras_of(const Options& options) {
   if (!options.cameras) return std::nullopt;
-  camera_play::CameraSetup setup{
-      settings::load_camera(options.camera), settings::load_field(options.field), {}};
-  setup.picture.fineness = options.samples;
+  CameraGames games = load_camera_games(options.camera, options.field, options.samples);
+  games.kept = options.kept;
+  const camera_play::CameraSetup& setup = games.setup;
   const FieldModel expected = play::play_field();
-  if (setup.field.length == expected.length && setup.field.width == expected.width) return setup;
+  if (setup.field.length == expected.length && setup.field.width == expected.width) return games;
   throw std::runtime_error(fmt::format("{}: found {} x {} m, expected {} x {} m, where games are",
                                        options.field,
                                        setup.field.length,
@@ -294,7 +287,7 @@ Cameras cameras_of(const Options& options) {
 
 bool can_be_played(const play::Scenario& scenario, const Cameras& cameras) {
   return !cameras || std::ranges::all_of(scenario.faults, [&](const play::FaultPlan& plan) {
-    return camera_play::can_have(plan.fault, cameras->camera);
+    return camera_play::can_have(plan.fault, cameras->setup.camera);
   });
 }
 
@@ -325,12 +318,16 @@ void add_score_fuse_command(CLI::App& score, int& exit_code) {
   fuse->add_option("--rate", options->rate_hz, "frames per robot and second; 25, 10 with cameras")
       ->check(CLI::Range(1.0, 50.0));
   fuse->add_option("--threads", options->threads, "games at a time")->check(CLI::Range(1, 256));
-  fuse->add_flag("--cameras", options->cameras, "render what robots see, and perceive it");
+  CLI::Option* const cameras =
+      fuse->add_flag("--cameras", options->cameras, "render what robots see, and perceive it");
   fuse->add_option("--camera", options->camera, "camera file")->capture_default_str();
   fuse->add_option("--field", options->field, "field file")->capture_default_str();
   fuse->add_option("--samples", options->samples, "drawn per pixel and axis")
       ->capture_default_str()
       ->check(CLI::Range(1, 8));
+  fuse->add_option(
+          "--kept", options->kept, "folder of games that were rendered before; others go there")
+      ->needs(cameras);
   fuse->callback([options, &exit_code] {
     score_all(*options);
     exit_code = process::kDone;

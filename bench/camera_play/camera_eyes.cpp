@@ -120,6 +120,7 @@ struct CameraEyes::Team {
   const vision::FrameObservation& see(std::size_t robot, HostTime exposure);
   [[nodiscard]] vision::CameraParameters true_camera(std::size_t robot,
                                                      const Eigen::Vector2d& bump) const;
+  [[nodiscard]] sim::Renderer renderer(std::size_t robot, const Eigen::Vector2d& bump) const;
 
   CameraSetup setup;
   play::PlayParameters play;
@@ -171,12 +172,11 @@ CameraEyes::Team::Team(const CameraSetup& made_with,
       search(made_with.field) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(play.own); ++i) {
     const auto own_seed = seed + static_cast<std::uint32_t>(i) + 1;
-    robots.push_back(
-        {sim::Renderer(true_camera(i, Eigen::Vector2d::Zero()), setup.field, look_of(setup)),
-         sim::Random(own_seed),
-         sim::Wheels({}, own_seed),
-         localiser.begin(),
-         {}});
+    robots.push_back({renderer(i, Eigen::Vector2d::Zero()),
+                      sim::Random(own_seed),
+                      sim::Wheels({}, own_seed),
+                      localiser.begin(),
+                      {}});
   }
 }
 
@@ -189,10 +189,18 @@ vision::CameraParameters CameraEyes::Team::true_camera(std::size_t robot,
   return sim::with_defects(setup.camera, defects);
 }
 
+/// All see one floor.
+sim::Renderer CameraEyes::Team::renderer(std::size_t robot, const Eigen::Vector2d& bump) const {
+  return {true_camera(robot, bump),
+          setup.field,
+          look_of(setup),
+          robots.empty() ? nullptr : robots.front().renderer.floor()};
+}
+
 void CameraEyes::Team::bump(std::size_t robot) {
   const double direction = robots[robot].random.uniform(-kPi, kPi);
   const Eigen::Vector2d tilt(kBumped * std::cos(direction), kBumped * std::sin(direction));
-  robots[robot].renderer = sim::Renderer(true_camera(robot, tilt), setup.field, look_of(setup));
+  robots[robot].renderer = renderer(robot, tilt);
 }
 
 /// A place on the carpet where nobody stands.
@@ -260,6 +268,20 @@ const vision::FrameObservation& CameraEyes::Team::see(std::size_t robot, HostTim
   return **seen;
 }
 
+namespace {
+
+/// Topics carry the upper halves of covariances, whose halves can differ in the last bit.
+void carry(fusion::Observation& observation) {
+  const auto mirror_upper = [](auto& cov) {
+    cov = cov.template selfadjointView<Eigen::Upper>().toDenseMatrix().eval();
+  };
+  mirror_upper(observation.posture.cov);
+  for (BallRay& ball : observation.balls) mirror_upper(ball.cov_direction);
+  for (ObstacleSighting& obstacle : observation.obstacles) mirror_upper(obstacle.cov_R);
+}
+
+}  // namespace
+
 CameraEyes::CameraEyes(const CameraSetup& setup, const play::Scenario& scenario, std::uint64_t seed)
     : team_(std::make_unique<Team>(setup, scenario, seed)) {
   const FieldModel expected = play::play_field();
@@ -306,6 +328,7 @@ play::Frame CameraEyes::look(std::size_t robot, const play::Moment& moment, doub
       seen.balls.begin(),
       seen.balls.begin() + static_cast<std::ptrdiff_t>(std::min(seen.balls.size(), kMaxBallRays)));
   frame.observation.obstacles = seen.obstacles;
+  carry(frame.observation);
   tell_shown(moment, robot, team_->play.robot_radius, frame);
   return frame;
 }

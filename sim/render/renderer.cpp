@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/angle.hpp"
 #include "geometry/expect.hpp"
@@ -62,12 +63,15 @@ Eigen::Quaternionf turn_in(const Pose<Robot, Field>& X_RF, const BallLook& look)
 
 Renderer::Renderer(const vision::CameraParameters& camera,
                    const FieldModel& field,
-                   const PictureParameters& parameters)
+                   const PictureParameters& parameters,
+                   std::shared_ptr<const FloorTexture> floor)
     : camera_(camera),
       parameters_(parameters),
       optics_(camera),
       sights_(optics_, camera.width_px, camera.height_px, parameters.fineness),
-      texture_(field, parameters.unevenness, parameters.hall_seed),
+      floor_(floor ? std::move(floor)
+                   : std::make_shared<const FloorTexture>(
+                         field, parameters.unevenness, parameters.hall_seed)),
       hall_(field, parameters.hall_seed),
       sensor_(parameters.sensor, camera, optics_.centre()),
       fine_(std::size_t{sights_.width()} * sights_.height(), Light(0.0F, 0.0F, 0.0F, 1.0F)) {
@@ -238,12 +242,12 @@ void Renderer::paint_ground(const Pose<Field, Robot>& X_FR) {
     const FloorView& view = floor_views_[i];
     FloorTexture::Sum floor;
     if (view.samples > 0) {
-      floor = texture_.sum_of({turn.x + turn.c * view.x - turn.s * view.y,
-                               turn.y + turn.s * view.x + turn.c * view.y,
-                               turn.c * view.step_x - turn.s * view.step_y,
-                               turn.s * view.step_x + turn.c * view.step_y,
-                               view.samples},
-                              view.level);
+      floor = floor_->sum_of({turn.x + turn.c * view.x - turn.s * view.y,
+                              turn.y + turn.s * view.x + turn.c * view.y,
+                              turn.c * view.step_x - turn.s * view.step_y,
+                              turn.s * view.step_x + turn.c * view.step_y,
+                              view.samples},
+                             view.level);
     }
     Light sum = floor.brightness * carpet + floor.painted * line;
     const int all = std::max<int>(view.samples, 1);

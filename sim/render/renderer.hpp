@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,10 +53,13 @@ struct PictureParameters {
 class Renderer {
  public:
   /// @param camera  the eye as it really is: see with_defects
+  /// @param floor   of another renderer with the same field and parameters, which is the same for
+  ///                all eyes; nothing: it makes its own
   /// @pre the size is one that the camera's format can have
   Renderer(const vision::CameraParameters& camera,
            const FieldModel& field,
-           const PictureParameters& parameters);
+           const PictureParameters& parameters,
+           std::shared_ptr<const FloorTexture> floor = nullptr);
 
   /// Draws one frame in the camera's format.
   ///
@@ -69,6 +73,9 @@ class Renderer {
   }
 
   [[nodiscard]] const vision::CameraParameters& camera() const { return camera_; }
+
+  /// The painted floor, for other renderers of the same hall.
+  [[nodiscard]] const std::shared_ptr<const FloorTexture>& floor() const { return floor_; }
 
  private:
   /// How a sight's patch of floor is looked up.
@@ -127,7 +134,7 @@ class Renderer {
   PictureParameters parameters_;
   Optics optics_;
   Sights sights_;
-  FloorTexture texture_;
+  std::shared_ptr<const FloorTexture> floor_;  // never nothing
   Hall hall_;
   Sensor sensor_;
   std::vector<FloorView> floor_views_;  // by sight

@@ -26,6 +26,12 @@ Canvas make_noise() {
   return noise;
 }
 
+// Normal, sigma 1: the same for all sensors, each of which begins where its own chance says.
+const Canvas& shared_noise() {
+  static const Canvas noise = make_noise();
+  return noise;
+}
+
 // Which of the three channels a pixel of a mosaic sees.
 int mosaic_channel(PixelFormat format, std::size_t row, std::size_t column) {
   const bool red_is_low = format == PixelFormat::kBayerBggr || format == PixelFormat::kBayerGbrg;
@@ -53,7 +59,7 @@ Sensor::Sensor(const SensorParameters& parameters,
       width_(camera.width_px),
       height_(camera.height_px),
       format_(camera.format),
-      noise_(make_noise()),
+      noise_(shared_noise().data()),
       row_(width_),
       ring_{Canvas(width_), Canvas(width_), Canvas(width_)} {
   TEAMSIGHT_EXPECT(vision::has_even_size(format_, camera.width_px, camera.height_px));

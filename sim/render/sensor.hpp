@@ -56,7 +56,7 @@ class Sensor {
   int blur_passes_{0};
   std::vector<float> blur_weight_;  // of each neighbour, per pixel and pass
   std::vector<float> vignette_;     // per pixel
-  Canvas noise_;                    // normal, sigma 1
+  const Light* noise_;              // normal, sigma 1; of all sensors
   Canvas row_;                      // what the sensor shows, 0 to 255
   Canvas above_;                    // the row before, where two share their colour
   std::array<Canvas, 3> ring_;      // three rows, blurred along

@@ -43,12 +43,14 @@ const std::vector<Layer> kLayers = {
                          "sim/match/", "sim/render/", "agent/frame_stream.hpp"}},  // the pipe's format
     {"tools/",          {"geometry/", "settings/", "bus/", "process/", "vision/", "fusion/", "sim/match/", "sim/render/",
                          "recording/",
-                         "bench/locate_score/", "bench/fuse_score/", "bench/mrclam/", "bench/play/", "bench/camera_play/"}},  // `score` counts with them
+                         "bench/locate_score/", "bench/fuse_score/", "bench/mrclam/", "bench/play/", "bench/camera_play/",
+                         "bench/kept_play/"}},  // `score` counts with them
     {"examples/",       {"geometry/", "client/"}},
     {"bench/locate_rivals/", {"geometry/", "vision/"}},
     {"bench/locate_score/",  {"geometry/", "vision/", "sim/match/", "sim/render/", "bench/locate_rivals/"}},
     {"bench/play/",     {"geometry/", "fusion/"}},
     {"bench/camera_play/", {"geometry/", "vision/", "fusion/", "sim/", "sim/match/", "sim/render/", "bench/play/"}},
+    {"bench/kept_play/", {"geometry/", "fusion/", "bus/", "recording/", "bench/play/", "bench/camera_play/"}},
     {"bench/peers/",    {"geometry/", "fusion/"}},
     {"bench/fuse_score/", {"geometry/", "fusion/", "bench/play/", "bench/peers/"}},
     {"bench/mrclam/",   {"geometry/", "fusion/", "bench/fuse_score/"}},

@@ -146,6 +146,22 @@ TEST(Renderer, HidesWhatIsBehindARobot) {
   EXPECT_LT(luminance(picture, 320, foot - 20), 30.0);
 }
 
+TEST(Picture, EyesThatShareAFloorSeeTheSame) {
+  const FieldModel field = one_line({kLineDistance, -3.0}, {kLineDistance, 3.0});
+  PictureParameters uneven = plain();
+  uneven.unevenness = 0.1;
+  const auto alone = picture_of(field, {}, uneven);
+  const Renderer first(sim_camera(), field, uneven);
+  Renderer second(sim_camera(), field, uneven, first.floor());
+  Random random(1);
+  std::vector<std::uint8_t> picture;
+  second.draw({}, random, picture);
+
+  EXPECT_EQ(second.floor(), first.floor());
+  EXPECT_EQ(picture, alone);
+  EXPECT_NE(picture, picture_of(field, {}, plain()));  // the floor's light is in it
+}
+
 // The coarse picture with its smooth edges is nearly the mean of many samples.
 TEST(Renderer, DrawsNearlyTheSameWithOneSampleAsWithMany) {
   const auto field = settings::load_field(test::source_path("config/fields/msl-2024.textproto"));
