@@ -241,12 +241,13 @@ double body_cost(const TeamErrors::Residual& residual,
   return kForbidden;
 }
 
-/// Whether what may be a teammate's body is rather another one beside it.
+/// Whether what touches a teammate's body is rather another one beside it.
 bool is_beside(const TeamErrors::Residual& residual,
                const State& state,
                const Parameters& parameters) {
   const TeamErrors::Lesson lesson = state.errors.lesson_of(residual);
   const double squared = lesson.surprise.dot(lesson.inverse * lesson.surprise);
+  if (squared <= chi_square_gate(2, parameters.obstacle.gate_probability)) return false;
   const double sigma = std::sqrt(0.5 * lesson.inverse.inverse().trace());
   return tail_density(squared, lesson.inverse) <=
          density_of_others(lesson.surprise.norm(), sigma, parameters);

@@ -81,11 +81,11 @@ TEST(Sighted, TheAxisOfWhatIsPartlyHiddenOrTwoSideBySideIsUnsureAside) {
 
 /// The index of what a robot sees so far from where another says that it stands: in `mate_of`, in
 /// `beside`, or in neither.
-MateSightings mates_when_seen_at(double distance) {
+MateSightings mates_when_seen_at(double distance, double sigma_position = 0.01) {
   const test::EyeNoise sure{0.005, 0.04, 0.01, 0.005};
   const Setting setting{Parameters{}, test::plain_field()};
   State state;
-  Eye mate(2, 12, sure);
+  Eye mate(2, 12, {0.005, 0.04, sigma_position, 0.005});
   Eye eye(1, 11, sure);
   for (const double t : {0.0, 0.1, 0.2}) {
     mate.look({2.0, 0.0, 0.0}, at_second(t));
@@ -108,6 +108,11 @@ TEST(Sighted, WhatStandsBesideATeammateIsNotTheTeammate) {
   EXPECT_NE(mates_when_seen_at(0.52).beside[0], kUnassigned);
   EXPECT_EQ(mates_when_seen_at(0.8).mate_of[0], kUnassigned);
   EXPECT_EQ(mates_when_seen_at(0.8).beside[0], kUnassigned);
+}
+
+// It would never be told where it is otherwise.
+TEST(Sighted, WhoDoesNotKnowWhereItStandsIsFoundAside) {
+  EXPECT_NE(mates_when_seen_at(0.9, 0.5).mate_of[0], kUnassigned);
 }
 
 }  // namespace
