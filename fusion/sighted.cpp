@@ -103,7 +103,7 @@ ObstacleSighting with_unsure_axis(const ObstacleSighting& sighting, double radiu
   const Eigen::Vector2d across = Eigen::Vector2d(-foot.y(), foot.x()) / distance;
   const double more =
       aside * aside - across.dot(sighting.cov_R * across) - kSigmaAside * kSigmaAside;
-  if (more > 0.0) unsure.cov_R += more * Eigen::Matrix2d::Identity();
+  if (more > 0.0) unsure.cov_R += more * across * across.transpose();
   return unsure;
 }
 
