@@ -74,7 +74,7 @@ struct TrackParameters {
 
 /// How teammates move and when they are believed.
 struct TeammateParameters {
-  double acceleration_psd{1.0};          ///< m^2/s^3
+  double acceleration_psd{0.5};          ///< m^2/s^3
   double angular_acceleration_psd{4.0};  ///< rad^2/s^3
   double sigma_speed_at_start{2.0};      ///< m/s, per component
   double sigma_omega_at_start{3.0};      ///< rad/s
