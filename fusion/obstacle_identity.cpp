@@ -41,6 +41,16 @@ void remember(KnownObstacles& lost, const KnownObstacle& one) {
   lost.push_back(one);
 }
 
+void note_lost(const TrackList& tracks,
+               const KnownObstacles& before,
+               KnownObstacles& lost,
+               const Parameters& parameters) {
+  for (const KnownObstacle& one : before) {
+    if (has_key(tracks, one.key) || one.proven <= 0.0) continue;
+    if (!is_covered(one, tracks, parameters.obstacle.merge_distance)) remember(lost, one);
+  }
+}
+
 /// Which of the lost ones the track is, or how many there are.
 std::size_t forerunner_of(const Track& found,
                           const KnownObstacles& lost,
@@ -75,10 +85,7 @@ void recognise(TrackList& tracks,
                KnownObstacles& lost,
                HostTime exposure,
                const Parameters& parameters) {
-  for (const KnownObstacle& one : before) {
-    if (has_key(tracks, one.key) || one.proven <= 0.0) continue;
-    if (!is_covered(one, tracks, parameters.obstacle.merge_distance)) remember(lost, one);
-  }
+  note_lost(tracks, before, lost, parameters);
   for (std::size_t i = lost.size(); i-- > 0;) {
     if (exposure - lost[i].last_hit > parameters.newcomer.lost_memory) lost.erase(i);
   }

@@ -269,6 +269,15 @@ void note_gap(AsideBook& book,
   book.take(sighting, parameters);
 }
 
+/// Every track that was seen with the errors learns with them.
+void learn(State& state, const TeamErrors::Lesson& lesson) {
+  for (BallTrack& ball : state.balls) {
+    for (BallBelief& belief : ball.beliefs) belief.state.learn(lesson);
+  }
+  for (Track& obstacle : state.obstacles) obstacle.state.learn(lesson);
+  state.errors.learn(lesson);
+}
+
 Glance glance_of(const Observation& observation) {
   return {
       observation.id.robot, observation.exposure, observation.sigma_exposure, observation.posture};
@@ -343,11 +352,7 @@ void learn_from_teammates(State& state,
     const double other = parameters.teammate.other_density;
     residual.cov *= tail_factor(squared, 2) * (1.0 + other / tail_density(squared, lesson.inverse));
     lesson = state.errors.lesson_of(residual);
-    for (BallTrack& ball : state.balls) {
-      for (BallBelief& belief : ball.beliefs) belief.state.learn(lesson);
-    }
-    for (Track& obstacle : state.obstacles) obstacle.state.learn(lesson);
-    state.errors.learn(lesson);
+    learn(state, lesson);
   }
 }
 
