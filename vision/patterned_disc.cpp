@@ -31,13 +31,16 @@ constexpr double kSmallest = 0.5;       // of the expected radius
 constexpr double kLargest = 2.0;        // of the expected radius
 constexpr double kLeastMixture = 0.06;  // of the second colour: most of one panel of a football
 constexpr double kMostScatter = 0.3;    // of the radius
+constexpr double kSharp = 8.0;      // px of radius; in smaller balls panels blur into each other
+constexpr int kLookGrid = 3;        // points from the place to where the first look ends
+constexpr double kLookReach = 0.8;  // of the expected radius: there
 
 using Shares = std::array<double, kColourClasses>;
 
 // Nothing where own body and mirror hide the world, and outside the image.
 std::optional<std::size_t> index_of(const PatternPlace& place, const Pixel& at) {
-  const double u = std::round(at.u);
-  const double v = std::round(at.v);
+  const double u = at.u + 0.5;  // so that what is cut off is the nearest pixel
+  const double v = at.v + 0.5;
   const RayTable& rays = place.frame.rays;
   if (u < 0.0 || v < 0.0 || u >= rays.width() || v >= rays.height()) return std::nullopt;
   const auto i = static_cast<std::size_t>(v) * rays.width() + static_cast<std::size_t>(u);
@@ -49,6 +52,27 @@ ColourClass look_at(const PatternPlace& place, std::size_t pixel) {
   const std::uint8_t y = pixels.luminance(pixel);
   return place.pattern.look(
       y, place.frame.colours.chromatic(y, pixels.chroma(pixel)), place.carpet);
+}
+
+// Whether a coarse grid about the place shows a second of the ball's colours. A line, which leaves
+// as high a gap in the carpet where it runs towards the robot, shows one.
+bool may_be_of_two(const PatternPlace& place, double radius_px) {
+  if (radius_px < kSharp) return true;
+  ColourClass first = ColourClass::kNone;
+  for (int row = -kLookGrid; row <= kLookGrid; ++row) {
+    for (int column = -kLookGrid; column <= kLookGrid; ++column) {
+      if (row * row + column * column > kLookGrid * kLookGrid) continue;
+      const double step = radius_px * kLookReach / kLookGrid;
+      const auto pixel =
+          index_of(place, {place.pixel.u + step * column, place.pixel.v + step * row});
+      if (!pixel) continue;
+      const ColourClass colour = look_at(place, *pixel);
+      if (!place.pattern.has(colour)) continue;
+      if (first != ColourClass::kNone && colour != first) return true;
+      first = colour;
+    }
+  }
+  return false;
 }
 
 /// One direction's end, and how far it is.
@@ -245,7 +269,9 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   const auto start = index_of(place, place.pixel);
   if (!start) return std::nullopt;
   double expected = angular_radius_at(place.frame.rays[*start], place.ball_radius);
-  const double span = 0.5 * expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
+  const double radius_px = expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
+  if (!may_be_of_two(place, radius_px)) return std::nullopt;
+  const double span = 0.5 * radius_px;
   auto view = view_around(place.frame.rays, place.pixel, span);
   if (expected <= 0.0 || !view) return std::nullopt;
   // From somewhere within to about the middle.
@@ -267,15 +293,18 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   PatternedDisc found;
   const Eigen::Vector2d to_centre(place.centre.u - middle.u, place.centre.v - middle.v);
   measure_edge(*star, *disc, (view->to_angles * to_centre).normalized(), found.traits);
-  view->middle = view->pixel(disc->middle);
-  found.view = *view;
-  found.radius = disc->radius;
   const double size = std::log(disc->radius / expected);
   found.traits[0] = std::pow(std::min(0.0, size), 2);
   found.traits[1] = std::pow(std::max(0.0, size), 2);
   found.traits[2] = disc->scatter;
+  if (most_probable(place.model, found.traits) < place.model.least) return std::nullopt;
+  view->middle = view->pixel(disc->middle);
+  found.view = *view;
+  found.radius = disc->radius;
   measure_colours(shares_in(place, *view, disc->radius), place.pattern, found.traits);
-  return found.traits[6] >= kLeastMixture ? std::optional(found) : std::nullopt;
+  found.probability = probability(place.model, found.traits);
+  if (found.traits[6] < kLeastMixture || found.probability < place.model.least) return std::nullopt;
+  return found;
 }
 
 }  // namespace teamsight::vision
