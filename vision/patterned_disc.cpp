@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "vision/carpet_star.hpp"
 
@@ -15,14 +16,16 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kReach = 2.2;           // expected radii, within which the carpet must begin
-constexpr int kMostSteps = 160;          // px; more than the largest ball
-constexpr std::size_t kFirstStride = 3;  // directions, of those that are looked out in first
-constexpr std::size_t kMostOpen = 4;     // of those: half
-constexpr double kAtEdge = 0.3;          // of the radius; farther off is no edge of the disc
-constexpr double kFront = 0.7;           // cosine of the angle to the way to the robot
-constexpr double kInner = 0.7;           // of the radius: within, colours are the disc's own
-constexpr int kGrid = 6;                 // points from the middle to there
+constexpr double kReach = 2.2;            // expected radii, within which the carpet must begin
+constexpr int kMostSteps = 160;           // px; more than the largest ball
+constexpr std::size_t kFirstStride = 3;   // directions, of those that are looked out in first
+constexpr std::size_t kMostOpen = 4;      // of those: half
+constexpr double kAtEdge = 0.3;           // of the radius; farther off is no edge of the disc
+constexpr double kFront = 0.7;            // cosine of the angle to the way to the robot
+constexpr std::size_t kFewestBehind = 8;  // open directions of the far half
+constexpr double kSure = 0.9;   // where half an edge must do: robots with white markers look alike
+constexpr double kInner = 0.7;  // of the radius: within, colours are the disc's own
+constexpr int kGrid = 6;        // points from the middle to there
 constexpr std::size_t kMostPoints = (2 * kGrid + 1) * (2 * kGrid + 1);
 constexpr int kShadeRounds = 3;         // the first looks at all points
 constexpr double kShaded = 0.85;        // of the white's shade; darker is not of the white
@@ -127,10 +130,41 @@ void look_out(const PatternPlace& place,
   star.places[i] = direction * (end.steps / pixels);
 }
 
+// Towards the robot, in angles; unit length.
+Eigen::Vector2d way_to_robot(const PatternPlace& place, const LocalView& view) {
+  const Eigen::Vector2d way(place.centre.u - view.middle.u, place.centre.v - view.middle.v);
+  return (view.to_angles * way).normalized();
+}
+
+bool is_behind(std::size_t direction, const Eigen::Vector2d& towards_robot) {
+  return star_direction(direction).dot(towards_robot) < 0.0;
+}
+
+// Where something stands right behind it, what the far side shows is not the ball's edge.
+//
+// @return whether that is so
+bool hide_behind(const Eigen::Vector2d& towards_robot, CarpetStar& star) {
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < kStarDirections; ++i) {
+    if (star.ends[i] == StarEnd::kOpen && is_behind(i, towards_robot)) ++open;
+  }
+  if (open < kFewestBehind) return false;
+  for (std::size_t i = 0; i < kStarDirections; ++i) {
+    if (is_behind(i, towards_robot)) star.ends[i] = StarEnd::kHidden;
+  }
+  return true;
+}
+
+/// What surrounds a place.
+struct Surroundings {
+  CarpetStar star;
+  bool is_backed{false};  // something stands right behind it; the far side is left out
+};
+
 // Nothing where most directions lead into a robot, a wall, along a line: some of them tell that.
-std::optional<CarpetStar> star_at(const PatternPlace& place,
-                                  const LocalView& view,
-                                  double expected) {
+std::optional<Surroundings> surroundings_of(const PatternPlace& place,
+                                            const LocalView& view,
+                                            double expected) {
   CarpetStar star;
   std::size_t open = 0;
   for (std::size_t i = 0; i < kStarDirections; i += kFirstStride) {
@@ -141,7 +175,10 @@ std::optional<CarpetStar> star_at(const PatternPlace& place,
   for (std::size_t i = 0; i < kStarDirections; ++i) {
     if (i % kFirstStride != 0) look_out(place, view, expected, i, star);
   }
-  return star;
+  // Small ones are told by their whole edge or not at all.
+  const bool is_sharp = expected * std::sqrt(view.to_pixels.determinant()) >= kSharp;
+  const bool is_backed = is_sharp && hide_behind(way_to_robot(place, view), star);
+  return Surroundings{star, is_backed};
 }
 
 double share(double count, double of) {
@@ -275,8 +312,8 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   auto view = view_around(place.frame.rays, place.pixel, span);
   if (expected <= 0.0 || !view) return std::nullopt;
   // From somewhere within to about the middle.
-  auto star = star_at(place, *view, expected);
-  const auto first = star ? disc_in(*star, expected) : std::nullopt;
+  auto around = surroundings_of(place, *view, expected);
+  const auto first = around ? disc_in(around->star, expected) : std::nullopt;
   if (!first) return std::nullopt;
   const Pixel middle = view->pixel(first->middle);
   const auto pixel = index_of(place, middle);
@@ -284,26 +321,26 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   view = view_around(place.frame.rays, middle, span);
   expected = angular_radius_at(place.frame.rays[*pixel], place.ball_radius);
   if (expected <= 0.0 || !view) return std::nullopt;
-  star = star_at(place, *view, expected);
-  const auto disc = star ? disc_in(*star, expected) : std::nullopt;
+  around = surroundings_of(place, *view, expected);
+  const auto disc = around ? disc_in(around->star, expected) : std::nullopt;
   if (!disc || disc->scatter > kMostScatter || disc->radius < kSmallest * expected ||
       disc->radius > kLargest * expected) {
     return std::nullopt;
   }
   PatternedDisc found;
-  const Eigen::Vector2d to_centre(place.centre.u - middle.u, place.centre.v - middle.v);
-  measure_edge(*star, *disc, (view->to_angles * to_centre).normalized(), found.traits);
+  measure_edge(around->star, *disc, way_to_robot(place, *view), found.traits);
   const double size = std::log(disc->radius / expected);
   found.traits[0] = std::pow(std::min(0.0, size), 2);
   found.traits[1] = std::pow(std::max(0.0, size), 2);
   found.traits[2] = disc->scatter;
-  if (most_probable(place.model, found.traits) < place.model.least) return std::nullopt;
+  const double least = around->is_backed ? std::max(kSure, place.model.least) : place.model.least;
+  if (most_probable(place.model, found.traits) < least) return std::nullopt;
   view->middle = view->pixel(disc->middle);
   found.view = *view;
   found.radius = disc->radius;
   measure_colours(shares_in(place, *view, disc->radius), place.pattern, found.traits);
   found.probability = probability(place.model, found.traits);
-  if (found.traits[6] < kLeastMixture || found.probability < place.model.least) return std::nullopt;
+  if (found.traits[6] < kLeastMixture || found.probability < least) return std::nullopt;
   return found;
 }
 
