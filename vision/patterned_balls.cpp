@@ -33,6 +33,14 @@ bool is_other(ColourClass before, ColourClass colour) {
   return before != ColourClass::kNone && before != colour;
 }
 
+// The first sample behind `i` that is no carpet.
+std::size_t carpet_end(std::span<const Surface> surfaces, std::size_t i) {
+  ++i;
+  i += leading_eights(surfaces.subspan(i), Surface::kCarpet);
+  while (i < surfaces.size() && surfaces[i] == Surface::kCarpet) ++i;
+  return i;
+}
+
 bool are_same(const PatternedDisc& a, const PatternedDisc& b) {
   const Eigen::Vector2d step(b.view.middle.u - a.view.middle.u, b.view.middle.v - a.view.middle.v);
   return (a.view.to_angles * step).norm() < kSame * std::max(a.radius, b.radius);
@@ -90,9 +98,8 @@ void PatternedBalls::look_along(const FrameTables& frame,
         look_at_whole(frame, solid_angle, {radial_line, bare_from, i});
         last = ColourClass::kNone;
       }
-      i += leading_eights(surfaces.subspan(i + 1, end - i - 1), Surface::kCarpet);
-      while (i + 1 < end && surfaces[i + 1] == Surface::kCarpet) ++i;
-      bare_from = i + 1;
+      bare_from = carpet_end(surfaces.first(end), i);
+      i = bare_from - 1;
       continue;
     }
     const ColourClass colour =

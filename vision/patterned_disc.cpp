@@ -57,21 +57,26 @@ ColourClass look_at(const PatternPlace& place, std::size_t pixel) {
       y, place.frame.colours.chromatic(y, pixels.chroma(pixel)), place.carpet);
 }
 
+// Of the ball's colours the one that a place shows; kNone: none of them.
+ColourClass own_colour_at(const PatternPlace& place, const Pixel& at) {
+  const auto pixel = index_of(place, at);
+  const ColourClass colour = pixel ? look_at(place, *pixel) : ColourClass::kNone;
+  return place.pattern.has(colour) ? colour : ColourClass::kNone;
+}
+
 // Whether a coarse grid about the place shows a second of the ball's colours. A line, which leaves
 // as high a gap in the carpet where it runs towards the robot, shows one.
 bool may_be_of_two(const PatternPlace& place, double radius_px) {
   if (radius_px < kSharp) return true;
+  const double step = radius_px * kLookReach / kLookGrid;
   ColourClass first = ColourClass::kNone;
   for (int row = -kLookGrid; row <= kLookGrid; ++row) {
     for (int column = -kLookGrid; column <= kLookGrid; ++column) {
       if (row * row + column * column > kLookGrid * kLookGrid) continue;
-      const double step = radius_px * kLookReach / kLookGrid;
-      const auto pixel =
-          index_of(place, {place.pixel.u + step * column, place.pixel.v + step * row});
-      if (!pixel) continue;
-      const ColourClass colour = look_at(place, *pixel);
-      if (!place.pattern.has(colour)) continue;
-      if (first != ColourClass::kNone && colour != first) return true;
+      const ColourClass colour =
+          own_colour_at(place, {place.pixel.u + step * column, place.pixel.v + step * row});
+      if (colour == ColourClass::kNone || colour == first) continue;
+      if (first != ColourClass::kNone) return true;
       first = colour;
     }
   }
@@ -179,6 +184,11 @@ std::optional<Surroundings> surroundings_of(const PatternPlace& place,
   const bool is_sharp = expected * std::sqrt(view.to_pixels.determinant()) >= kSharp;
   const bool is_backed = is_sharp && hide_behind(way_to_robot(place, view), star);
   return Surroundings{star, is_backed};
+}
+
+bool may_be_ball(const StarDisc& disc, double expected) {
+  return disc.scatter <= kMostScatter && disc.radius >= kSmallest * expected &&
+         disc.radius <= kLargest * expected;
 }
 
 double share(double count, double of) {
@@ -323,10 +333,7 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   if (expected <= 0.0 || !view) return std::nullopt;
   around = surroundings_of(place, *view, expected);
   const auto disc = around ? disc_in(around->star, expected) : std::nullopt;
-  if (!disc || disc->scatter > kMostScatter || disc->radius < kSmallest * expected ||
-      disc->radius > kLargest * expected) {
-    return std::nullopt;
-  }
+  if (!disc || !may_be_ball(*disc, expected)) return std::nullopt;
   PatternedDisc found;
   measure_edge(around->star, *disc, way_to_robot(place, *view), found.traits);
   const double size = std::log(disc->radius / expected);
