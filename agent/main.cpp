@@ -16,13 +16,13 @@
 
 #include "agent/agent.hpp"
 #include "agent/open_source.hpp"
-#include "agent/shirt_complaint.hpp"
 #include "bus/clock.hpp"
 #include "process/domains.hpp"
 #include "process/identity_guard.hpp"
 #include "process/program.hpp"
 #include "process/supervision.hpp"
 #include "settings/load.hpp"
+#include "settings/shirt_complaint.hpp"
 
 namespace teamsight::agent {
 namespace {
@@ -112,7 +112,8 @@ Setup load(const Options& options) {
 
 // Nothing else is wrong then, so the robot plays.
 void complain_of_shirts(const Setup& setup) {
-  const std::string words = shirt_complaint(setup.robot.team.shirts, setup.camera.colours);
+  const std::string words =
+      settings::shirt_complaint(setup.robot.team.shirts, setup.camera.colours);
   if (!words.empty()) std::fprintf(stderr, "teamsight-agent: %s\n", words.c_str());
 }
 

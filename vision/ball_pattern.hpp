@@ -1,6 +1,7 @@
 // vision/ball_pattern.hpp: which of a patterned ball's colours a pixel shows.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -33,8 +34,25 @@ class BallPattern {
   [[nodiscard]] ColourClass look(std::uint8_t y, ColourClass chromatic, float carpet) const;
 
  private:
+  // Shares of the luminance of the carpet beside a pixel, as in surface.cpp.
+  static constexpr float kBlack = 0.56F;  // darker is black whatever its colour
+  static constexpr float kDark = 0.72F;
+  static constexpr float kBright = 1.12F;
+  static constexpr float kLeastRise = 6.0F;  // grey levels of white over carpet
+  static constexpr float kSaturated = 255.0F;
+
   std::array<bool, kColourClasses> classes_{};
   std::size_t count_{0};
 };
+
+inline ColourClass BallPattern::look(std::uint8_t y, ColourClass chromatic, float carpet) const {
+  const auto luminance = static_cast<float>(y);
+  if (chromatic != ColourClass::kNone && has(chromatic)) return chromatic;
+  if (luminance < kBlack * carpet) return ColourClass::kBlack;
+  if (chromatic != ColourClass::kNone) return chromatic;
+  const float paint = std::max(kBright * carpet, carpet + kLeastRise);
+  if (luminance > std::min(paint, 0.5F * (carpet + kSaturated))) return ColourClass::kWhite;
+  return luminance < kDark * carpet ? ColourClass::kBlack : ColourClass::kNone;
+}
 
 }  // namespace teamsight::vision

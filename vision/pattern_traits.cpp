@@ -3,6 +3,14 @@
 
 namespace teamsight::vision {
 
+double most_probable(const PatternModel& model, PatternTraits traits) {
+  // Of each the better end of what it can be.
+  traits[5] = model.weights[5] > 0.0 ? 1.0 : 0.0;
+  traits[6] = model.weights[6] > 0.0 ? kMostMixture : 0.0;
+  traits[7] = model.weights[7] > 0.0 ? 1.0 : 0.0;
+  return probability(model, traits);
+}
+
 PatternModel trained_pattern_model() {
   PatternModel model;
   model.weights = {

@@ -26,6 +26,11 @@ inline constexpr double kMostMixture = 0.25;
 using PatternTraits = std::array<double, kPatternTraits>;
 using PatternModel = TraitModel<kPatternTraits>;
 
+/// How probably something is a ball at most, whatever its colours are.
+///
+/// @param traits  of which those of its colours (the last three) do not count
+[[nodiscard]] double most_probable(const PatternModel& model, PatternTraits traits);
+
 /// What `teamsight calibrate patterned` made of rendered scenes; see vision/README.md for how well
 /// it does on others.
 [[nodiscard]] PatternModel trained_pattern_model();

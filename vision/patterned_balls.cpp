@@ -33,6 +33,14 @@ bool is_other(ColourClass before, ColourClass colour) {
   return before != ColourClass::kNone && before != colour;
 }
 
+// The first sample behind `i` that is no carpet.
+std::size_t carpet_end(std::span<const Surface> surfaces, std::size_t i) {
+  ++i;
+  i += leading_eights(surfaces.subspan(i), Surface::kCarpet);
+  while (i < surfaces.size() && surfaces[i] == Surface::kCarpet) ++i;
+  return i;
+}
+
 bool are_same(const PatternedDisc& a, const PatternedDisc& b) {
   const Eigen::Vector2d step(b.view.middle.u - a.view.middle.u, b.view.middle.v - a.view.middle.v);
   return (a.view.to_angles * step).norm() < kSame * std::max(a.radius, b.radius);
@@ -44,6 +52,11 @@ PatternedBalls::PatternedBalls(const PatternRules& rules, const Pixel& centre)
     : rules_(rules),
       pattern_(rules.classes),
       centre_(centre) {
+  for (std::size_t i = 0; i < kColourClasses; ++i) {
+    for (std::size_t k = 0; k < kSurfaces; ++k) {
+      own_[i][k] = own_class(static_cast<ColourClass>(i), static_cast<Surface>(k));
+    }
+  }
   tried_.reserve(kMostTried);
   found_.reserve(kMostFound);
 }
@@ -57,11 +70,16 @@ std::span<const PatternedDisc> PatternedBalls::find(const FrameTables& frame,
   return found_;
 }
 
-ColourClass PatternedBalls::class_of(ColourClass chromatic, Surface surface) const {
-  if (chromatic != ColourClass::kNone && pattern_.has(chromatic)) return chromatic;
-  if (surface == Surface::kDark) return ColourClass::kBlack;
-  if (chromatic != ColourClass::kNone) return chromatic;
-  return surface == Surface::kPaint ? ColourClass::kWhite : ColourClass::kNone;
+ColourClass PatternedBalls::own_class(ColourClass chromatic, Surface surface) const {
+  ColourClass colour = chromatic;
+  if (chromatic == ColourClass::kNone || !pattern_.has(chromatic)) {
+    if (surface == Surface::kDark) {
+      colour = ColourClass::kBlack;
+    } else if (chromatic == ColourClass::kNone && surface == Surface::kPaint) {
+      colour = ColourClass::kWhite;
+    }
+  }
+  return pattern_.has(colour) ? colour : ColourClass::kNone;
 }
 
 void PatternedBalls::look_along(const FrameTables& frame,
@@ -76,14 +94,17 @@ void PatternedBalls::look_along(const FrameTables& frame,
   std::size_t bare_from = 0;  // since the carpet
   for (std::size_t i = 0; i < end; ++i) {
     if (surfaces[i] == Surface::kCarpet) {
-      look_at_whole(frame, solid_angle, {radial_line, bare_from, i}, last);
-      last = ColourClass::kNone;
-      i += leading_eights(surfaces.subspan(i + 1, end - i - 1), Surface::kCarpet);
-      bare_from = i + 1;
+      if (last != ColourClass::kNone) {
+        look_at_whole(frame, solid_angle, {radial_line, bare_from, i});
+        last = ColourClass::kNone;
+      }
+      bare_from = carpet_end(surfaces.first(end), i);
+      i = bare_from - 1;
       continue;
     }
-    const ColourClass colour = class_of(classes[i], surfaces[i]);
-    if (!pattern_.has(colour)) continue;
+    const ColourClass colour =
+        own_[static_cast<std::size_t>(classes[i])][static_cast<std::size_t>(surfaces[i])];
+    if (colour == ColourClass::kNone) continue;
     if (is_other(last, colour) && is_near(range, last_at, bare_from, i)) {
       look_at(frame, solid_angle, {radial_line, last_at, i});
     }
@@ -94,10 +115,8 @@ void PatternedBalls::look_along(const FrameTables& frame,
 
 void PatternedBalls::look_at_whole(const FrameTables& frame,
                                    std::span<const float> solid_angle,
-                                   const Stretch& stretch,
-                                   ColourClass last) {
+                                   const Stretch& stretch) {
   const ScanRange& range = frame.lines.radial()[stretch.line];
-  if (last == ColourClass::kNone) return;
   if (!is_as_high_as_a_ball(apart(range, stretch.from, stretch.to))) return;
   look_at(frame, solid_angle, stretch);
 }
@@ -145,11 +164,9 @@ void PatternedBalls::look_at(const FrameTables& frame,
   if (is_known) return;
   tried_.push_back(place);
   const float carpet = frame.scan.carpet_beside(range, sample);
-  auto disc =
-      disc_around({frame, solid_angle, pattern_, centre_, rules_.ball_radius, place, carpet});
-  if (!disc) return;
-  disc->probability = probability(rules_.model, disc->traits);
-  if (disc->probability >= rules_.model.least) keep(*disc);
+  const auto disc = disc_around(
+      {frame, solid_angle, pattern_, rules_.model, centre_, rules_.ball_radius, place, carpet});
+  if (disc) keep(*disc);
 }
 
 void PatternedBalls::keep(const PatternedDisc& disc) {

@@ -1,6 +1,7 @@
 // vision/patterned_balls.hpp: balls of several colours on the carpet.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -48,17 +49,17 @@ class PatternedBalls {
   void look_along(const FrameTables& frame,
                   std::span<const float> solid_angle,
                   std::size_t radial_line);
-  [[nodiscard]] ColourClass class_of(ColourClass chromatic, Surface surface) const;
+  /// Which of the ball's a sample shows; kNone: none of them.
+  [[nodiscard]] ColourClass own_class(ColourClass chromatic, Surface surface) const;
   /// Of all samples, once.
   void measure_radii(const FrameTables& frame, std::span<const float> solid_angle);
   /// Between two samples of a radial line, in radii of a ball on the floor there.
   [[nodiscard]] float apart(const ScanRange& range, std::size_t from, std::size_t to) const;
-  /// Looks at a stretch between carpet and carpet, if it is as high as a ball.
-  /// @param last  of the ball's colours in it; kNone: there was none
+  /// Looks at a stretch between carpet and carpet in which one of the ball's colours is, if it is
+  /// as high as a ball.
   void look_at_whole(const FrameTables& frame,
                      std::span<const float> solid_angle,
-                     const Stretch& stretch,
-                     ColourClass last);
+                     const Stretch& stretch);
   /// Whether two samples of its colours may be one ball's that stands on the carpet.
   [[nodiscard]] bool is_near(const ScanRange& range,
                              std::size_t first,
@@ -73,6 +74,8 @@ class PatternedBalls {
 
   PatternRules rules_;
   BallPattern pattern_;
+  /// own_class, by colour class and surface.
+  std::array<std::array<ColourClass, kSurfaces>, kColourClasses> own_{};
   Pixel centre_;
   /// Of a ball on the floor that is seen at a sample, by its place in the list; 0: none can be.
   std::vector<float> radius_px_;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "vision/carpet_star.hpp"
 
@@ -15,14 +16,16 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr double kReach = 2.2;           // expected radii, within which the carpet must begin
-constexpr int kMostSteps = 160;          // px; more than the largest ball
-constexpr std::size_t kFirstStride = 3;  // directions, of those that are looked out in first
-constexpr std::size_t kMostOpen = 4;     // of those: half
-constexpr double kAtEdge = 0.3;          // of the radius; farther off is no edge of the disc
-constexpr double kFront = 0.7;           // cosine of the angle to the way to the robot
-constexpr double kInner = 0.7;           // of the radius: within, colours are the disc's own
-constexpr int kGrid = 6;                 // points from the middle to there
+constexpr double kReach = 2.2;            // expected radii, within which the carpet must begin
+constexpr int kMostSteps = 160;           // px; more than the largest ball
+constexpr std::size_t kFirstStride = 3;   // directions, of those that are looked out in first
+constexpr std::size_t kMostOpen = 4;      // of those: half
+constexpr double kAtEdge = 0.3;           // of the radius; farther off is no edge of the disc
+constexpr double kFront = 0.7;            // cosine of the angle to the way to the robot
+constexpr std::size_t kFewestBehind = 8;  // open directions of the far half
+constexpr double kSure = 0.9;   // where half an edge must do: robots with white markers look alike
+constexpr double kInner = 0.7;  // of the radius: within, colours are the disc's own
+constexpr int kGrid = 6;        // points from the middle to there
 constexpr std::size_t kMostPoints = (2 * kGrid + 1) * (2 * kGrid + 1);
 constexpr int kShadeRounds = 3;         // the first looks at all points
 constexpr double kShaded = 0.85;        // of the white's shade; darker is not of the white
@@ -31,13 +34,16 @@ constexpr double kSmallest = 0.5;       // of the expected radius
 constexpr double kLargest = 2.0;        // of the expected radius
 constexpr double kLeastMixture = 0.06;  // of the second colour: most of one panel of a football
 constexpr double kMostScatter = 0.3;    // of the radius
+constexpr double kSharp = 8.0;      // px of radius; in smaller balls panels blur into each other
+constexpr int kLookGrid = 3;        // points from the place to where the first look ends
+constexpr double kLookReach = 0.8;  // of the expected radius: there
 
 using Shares = std::array<double, kColourClasses>;
 
 // Nothing where own body and mirror hide the world, and outside the image.
 std::optional<std::size_t> index_of(const PatternPlace& place, const Pixel& at) {
-  const double u = std::round(at.u);
-  const double v = std::round(at.v);
+  const double u = at.u + 0.5;  // so that what is cut off is the nearest pixel
+  const double v = at.v + 0.5;
   const RayTable& rays = place.frame.rays;
   if (u < 0.0 || v < 0.0 || u >= rays.width() || v >= rays.height()) return std::nullopt;
   const auto i = static_cast<std::size_t>(v) * rays.width() + static_cast<std::size_t>(u);
@@ -49,6 +55,32 @@ ColourClass look_at(const PatternPlace& place, std::size_t pixel) {
   const std::uint8_t y = pixels.luminance(pixel);
   return place.pattern.look(
       y, place.frame.colours.chromatic(y, pixels.chroma(pixel)), place.carpet);
+}
+
+// Of the ball's colours the one that a place shows; kNone: none of them.
+ColourClass own_colour_at(const PatternPlace& place, const Pixel& at) {
+  const auto pixel = index_of(place, at);
+  const ColourClass colour = pixel ? look_at(place, *pixel) : ColourClass::kNone;
+  return place.pattern.has(colour) ? colour : ColourClass::kNone;
+}
+
+// Whether a coarse grid about the place shows a second of the ball's colours. A line, which leaves
+// as high a gap in the carpet where it runs towards the robot, shows one.
+bool may_be_of_two(const PatternPlace& place, double radius_px) {
+  if (radius_px < kSharp) return true;
+  const double step = radius_px * kLookReach / kLookGrid;
+  ColourClass first = ColourClass::kNone;
+  for (int row = -kLookGrid; row <= kLookGrid; ++row) {
+    for (int column = -kLookGrid; column <= kLookGrid; ++column) {
+      if (row * row + column * column > kLookGrid * kLookGrid) continue;
+      const ColourClass colour =
+          own_colour_at(place, {place.pixel.u + step * column, place.pixel.v + step * row});
+      if (colour == ColourClass::kNone || colour == first) continue;
+      if (first != ColourClass::kNone) return true;
+      first = colour;
+    }
+  }
+  return false;
 }
 
 /// One direction's end, and how far it is.
@@ -103,10 +135,41 @@ void look_out(const PatternPlace& place,
   star.places[i] = direction * (end.steps / pixels);
 }
 
+// Towards the robot, in angles; unit length.
+Eigen::Vector2d way_to_robot(const PatternPlace& place, const LocalView& view) {
+  const Eigen::Vector2d way(place.centre.u - view.middle.u, place.centre.v - view.middle.v);
+  return (view.to_angles * way).normalized();
+}
+
+bool is_behind(std::size_t direction, const Eigen::Vector2d& towards_robot) {
+  return star_direction(direction).dot(towards_robot) < 0.0;
+}
+
+// Where something stands right behind it, what the far side shows is not the ball's edge.
+//
+// @return whether that is so
+bool hide_behind(const Eigen::Vector2d& towards_robot, CarpetStar& star) {
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < kStarDirections; ++i) {
+    if (star.ends[i] == StarEnd::kOpen && is_behind(i, towards_robot)) ++open;
+  }
+  if (open < kFewestBehind) return false;
+  for (std::size_t i = 0; i < kStarDirections; ++i) {
+    if (is_behind(i, towards_robot)) star.ends[i] = StarEnd::kHidden;
+  }
+  return true;
+}
+
+/// What surrounds a place.
+struct Surroundings {
+  CarpetStar star;
+  bool is_backed{false};  // something stands right behind it; the far side is left out
+};
+
 // Nothing where most directions lead into a robot, a wall, along a line: some of them tell that.
-std::optional<CarpetStar> star_at(const PatternPlace& place,
-                                  const LocalView& view,
-                                  double expected) {
+std::optional<Surroundings> surroundings_of(const PatternPlace& place,
+                                            const LocalView& view,
+                                            double expected) {
   CarpetStar star;
   std::size_t open = 0;
   for (std::size_t i = 0; i < kStarDirections; i += kFirstStride) {
@@ -117,7 +180,15 @@ std::optional<CarpetStar> star_at(const PatternPlace& place,
   for (std::size_t i = 0; i < kStarDirections; ++i) {
     if (i % kFirstStride != 0) look_out(place, view, expected, i, star);
   }
-  return star;
+  // Small ones are told by their whole edge or not at all.
+  const bool is_sharp = expected * std::sqrt(view.to_pixels.determinant()) >= kSharp;
+  const bool is_backed = is_sharp && hide_behind(way_to_robot(place, view), star);
+  return Surroundings{star, is_backed};
+}
+
+bool may_be_ball(const StarDisc& disc, double expected) {
+  return disc.scatter <= kMostScatter && disc.radius >= kSmallest * expected &&
+         disc.radius <= kLargest * expected;
 }
 
 double share(double count, double of) {
@@ -245,12 +316,14 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   const auto start = index_of(place, place.pixel);
   if (!start) return std::nullopt;
   double expected = angular_radius_at(place.frame.rays[*start], place.ball_radius);
-  const double span = 0.5 * expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
+  const double radius_px = expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
+  if (!may_be_of_two(place, radius_px)) return std::nullopt;
+  const double span = 0.5 * radius_px;
   auto view = view_around(place.frame.rays, place.pixel, span);
   if (expected <= 0.0 || !view) return std::nullopt;
   // From somewhere within to about the middle.
-  auto star = star_at(place, *view, expected);
-  const auto first = star ? disc_in(*star, expected) : std::nullopt;
+  auto around = surroundings_of(place, *view, expected);
+  const auto first = around ? disc_in(around->star, expected) : std::nullopt;
   if (!first) return std::nullopt;
   const Pixel middle = view->pixel(first->middle);
   const auto pixel = index_of(place, middle);
@@ -258,24 +331,24 @@ std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
   view = view_around(place.frame.rays, middle, span);
   expected = angular_radius_at(place.frame.rays[*pixel], place.ball_radius);
   if (expected <= 0.0 || !view) return std::nullopt;
-  star = star_at(place, *view, expected);
-  const auto disc = star ? disc_in(*star, expected) : std::nullopt;
-  if (!disc || disc->scatter > kMostScatter || disc->radius < kSmallest * expected ||
-      disc->radius > kLargest * expected) {
-    return std::nullopt;
-  }
+  around = surroundings_of(place, *view, expected);
+  const auto disc = around ? disc_in(around->star, expected) : std::nullopt;
+  if (!disc || !may_be_ball(*disc, expected)) return std::nullopt;
   PatternedDisc found;
-  const Eigen::Vector2d to_centre(place.centre.u - middle.u, place.centre.v - middle.v);
-  measure_edge(*star, *disc, (view->to_angles * to_centre).normalized(), found.traits);
-  view->middle = view->pixel(disc->middle);
-  found.view = *view;
-  found.radius = disc->radius;
+  measure_edge(around->star, *disc, way_to_robot(place, *view), found.traits);
   const double size = std::log(disc->radius / expected);
   found.traits[0] = std::pow(std::min(0.0, size), 2);
   found.traits[1] = std::pow(std::max(0.0, size), 2);
   found.traits[2] = disc->scatter;
+  const double least = around->is_backed ? std::max(kSure, place.model.least) : place.model.least;
+  if (most_probable(place.model, found.traits) < least) return std::nullopt;
+  view->middle = view->pixel(disc->middle);
+  found.view = *view;
+  found.radius = disc->radius;
   measure_colours(shares_in(place, *view, disc->radius), place.pattern, found.traits);
-  return found.traits[6] >= kLeastMixture ? std::optional(found) : std::nullopt;
+  found.probability = probability(place.model, found.traits);
+  if (found.traits[6] < kLeastMixture || found.probability < least) return std::nullopt;
+  return found;
 }
 
 }  // namespace teamsight::vision

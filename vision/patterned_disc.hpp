@@ -25,6 +25,7 @@ struct PatternPlace {
   /// Of each pixel; 0 where own body and mirror hide the world.
   std::span<const float> solid_angle;
   const BallPattern& pattern;
+  const PatternModel& model;
   Pixel centre;             ///< of the mirror in the image
   double ball_radius{0.0};  ///< m
   Pixel pixel;              ///< the place
@@ -37,8 +38,8 @@ struct PatternPlace {
 /// Rays go out from the place in all directions to where the carpet begins. A ball leaves a disc of
 /// about the size it has there, whatever touches it on one or two sides.
 ///
-/// @return its probability is not said; nothing if what is there is no disc, of another size
-///         altogether, or of one colour
+/// @return nothing if what is there is no disc, of another size altogether, of one colour, or less
+///         probable than the model asks for
 [[nodiscard]] std::optional<PatternedDisc> disc_around(const PatternPlace& place);
 
 }  // namespace teamsight::vision

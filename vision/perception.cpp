@@ -177,6 +177,9 @@ void Perception::Tables::find_balls(const PixelReader& pixels) {
     observation.balls.push_back(ball.ray);
     observation.ball_pixels.push_back(ball.pixels);
     observation.ball_ranges.push_back(range_of(ball.ray, ball_rules));
+    // Black panels would be somebody's legs.
+    if (ball.ray.colour != BallColour::kPatterned) continue;
+    scan.take_for_ball(lines, {ball.pixels.u_px, ball.pixels.v_px}, ball.pixels.r_px);
   }
   const auto values = sensors.read(pixels, colours, found);
   observation.sensors.assign(values.begin(), values.end());

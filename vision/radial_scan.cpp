@@ -121,6 +121,30 @@ std::size_t RadialScan::find_carpet_end(const ScanRange& range) const {
   return end;
 }
 
+void RadialScan::take_for_ball(const ScanLines& lines, const Pixel& middle, double radius_px) {
+  for (const ScanRange& range : lines.radial()) {
+    const auto samples = lines.samples(range);
+    const Eigen::Vector2d start(samples.front().u, samples.front().v);
+    const Eigen::Vector2d way = Eigen::Vector2d(samples.back().u, samples.back().v) - start;
+    const double length = way.norm();
+    if (length <= 0.0) continue;
+    const Eigen::Vector2d off = Eigen::Vector2d(middle.u, middle.v) - start;
+    const double along = off.dot(way) / length;
+    const double square = radius_px * radius_px - off.squaredNorm() + along * along;
+    if (square <= 0.0 || along <= 0.0) continue;
+    const double half = std::sqrt(square);
+    const auto pitch = static_cast<double>(range.pitch);
+    const auto place = [&](double px) {
+      return static_cast<std::size_t>(
+          std::clamp(px / pitch, 0.0, static_cast<double>(range.count)));
+    };
+    const auto first = surfaces_.begin() + static_cast<std::ptrdiff_t>(range.first);
+    std::fill(first + static_cast<std::ptrdiff_t>(place(along - half)),
+              first + static_cast<std::ptrdiff_t>(place(along + half + pitch)),
+              Surface::kBall);
+  }
+}
+
 void RadialScan::judge(const ScanLines& lines) {
   const float level = carpet_.luminance;
   const float saturation = level > 0.0F ? std::hypot(carpet_.u, carpet_.v) / level : 0.0F;

@@ -25,6 +25,12 @@ class RadialScan {
   /// measures the carpet; then judges each sample. Nothing is carpet in a frame without any.
   void read(const PixelReader& pixels, const ColourClasses& colours, const ScanLines& lines);
 
+  /// Makes what a ball covers kBall, whatever its colours and its shade look like: it stands on the
+  /// carpet, but is no obstacle.
+  ///
+  /// @param radius_px  of its disc about the middle
+  void take_for_ball(const ScanLines& lines, const Pixel& middle, double radius_px);
+
   /// In the order of the samples of `lines`; valid until the next call of read.
   [[nodiscard]] std::span<const std::uint8_t> luminance(const ScanRange& range) const {
     return std::span(luminance_).subspan(range.first, range.count);

@@ -1,6 +1,7 @@
 // vision/surface.hpp: what a sample shows, judged against the carpet beside it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -20,6 +21,8 @@ enum class Surface : std::uint8_t {
   kBall,   ///< the ball's colour
   kOther,  ///< wood, skin, grey walls
 };
+
+inline constexpr std::size_t kSurfaces = 6;
 
 /// One sample, and the carpet it is judged against.
 struct Look {

@@ -49,6 +49,18 @@ std::string balls_in(const FrameObservation& seen) {
   return words;
 }
 
+// What was taken for obstacles.
+std::string obstacles_in(const FrameObservation& seen) {
+  std::string words;
+  for (std::size_t i = 0; i < seen.obstacles.size(); ++i) {
+    const Point<Robot>& place = seen.obstacles[i].p_RO;
+    words += seen.obstacle_pixels[i].kind == ObstacleKind::kRobot ? "robot" : "legs";
+    words += " " + std::to_string(place.x) + ", " + std::to_string(place.y) + " of " +
+             std::to_string(seen.obstacles[i].width) + "\n";
+  }
+  return words;
+}
+
 void expect_one(const FrameObservation& seen, const Point3<Robot>& p_RB) {
   ASSERT_EQ(seen.balls.size(), 1U);
   const BallRay& ball = seen.balls.front();
@@ -71,6 +83,7 @@ TEST_P(PatternedBall, IsSeenAloneOnTheCarpet) {
   expect_one(seen, p_RB);
   EXPECT_EQ(seen.ball_ranges.size(), 1U);
   EXPECT_TRUE(seen.ball_pixels[0].on_carpet);
+  EXPECT_EQ(obstacles_in(seen), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(AtDistanceTurnedBy,
@@ -110,6 +123,7 @@ TEST(PatternedBalls, LeavesABallOfOneColourWhatItIs) {
 
   ASSERT_EQ(seen.balls.size(), 1U);
   EXPECT_EQ(seen.balls[0].colour, BallColour::kOrange);
+  EXPECT_EQ(obstacles_in(seen), "");
 }
 
 TEST(PatternedBalls, OfOneOfTheColoursAloneIsNone) {

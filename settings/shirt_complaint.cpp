@@ -1,25 +1,17 @@
-// agent/shirt_complaint.cpp: see agent/shirt_complaint.hpp.
-#include "agent/shirt_complaint.hpp"
+// settings/shirt_complaint.cpp: see settings/shirt_complaint.hpp.
+#include "settings/shirt_complaint.hpp"
 
-namespace teamsight::agent {
+#include "settings/camera_names.hpp"
+
+namespace teamsight::settings {
 
 namespace {
 
 using vision::ColourClass;
 
+// As a camera file names it.
 std::string name_of(ColourClass colour) {
-  switch (colour) {
-    case ColourClass::kRed:
-      return "RED";
-    case ColourClass::kBlue:
-      return "BLUE";
-    case ColourClass::kMagenta:
-      return "MAGENTA";
-    case ColourClass::kCyan:
-      return "CYAN";
-    default:
-      return "another colour";
-  }
+  return config::CameraFile::Colours::Class_Name(file_class_of(colour).value());
 }
 
 }  // namespace
@@ -39,4 +31,4 @@ std::string shirt_complaint(const vision::TeamShirts& shirts,
          " of the team file: add it to colours, or nobody is known by it";
 }
 
-}  // namespace teamsight::agent
+}  // namespace teamsight::settings

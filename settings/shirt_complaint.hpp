@@ -1,4 +1,4 @@
-// agent/shirt_complaint.hpp: shirts that the camera's colours cannot tell, in words.
+// settings/shirt_complaint.hpp: shirts that the camera's colours cannot tell, in words.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 #include "vision/camera_parameters.hpp"
 #include "vision/team_shirts.hpp"
 
-namespace teamsight::agent {
+namespace teamsight::settings {
 
 /// What the operator reads at the start when the camera file has no class for a colour that the
 /// team file says is worn: nobody is known by it then.
@@ -15,4 +15,4 @@ namespace teamsight::agent {
 [[nodiscard]] std::string shirt_complaint(const vision::TeamShirts& shirts,
                                           const vision::ColourParameters& colours);
 
-}  // namespace teamsight::agent
+}  // namespace teamsight::settings

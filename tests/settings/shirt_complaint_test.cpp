@@ -1,9 +1,9 @@
-// tests/agent/shirt_complaint_test.cpp: what an operator reads of shirts that no class tells.
-#include "agent/shirt_complaint.hpp"
+// tests/settings/shirt_complaint_test.cpp: what an operator reads of shirts that no class tells.
+#include "settings/shirt_complaint.hpp"
 
 #include <gtest/gtest.h>
 
-namespace teamsight::agent {
+namespace teamsight::settings {
 namespace {
 
 using vision::ColourClass;
@@ -47,4 +47,4 @@ TEST(ShirtComplaint, AsksOnlyWhatTellsTheCamerasColours) {
 }
 
 }  // namespace
-}  // namespace teamsight::agent
+}  // namespace teamsight::settings
