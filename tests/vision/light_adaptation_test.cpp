@@ -97,6 +97,30 @@ TEST(LightAdaptation, KeepsItsGainsWhileNothingIsSeen) {
   expect_near(adaptation.state().gains, evening);
 }
 
+// Shade, and how much of what is in view, differ as much from picture to picture.
+TEST(LightAdaptation, TakesALittleForNoOtherLight) {
+  LightAdaptation adaptation(kField);
+
+  take_for(adaptation, 4.0, field_in({1.04, 1.0, 0.97}));
+
+  const LightGains& gains = adaptation.state().gains;
+  EXPECT_EQ(adaptation.state().status, LightStatus::kFollowing);
+  EXPECT_NEAR(gains.red, 1.0, 0.01);
+  EXPECT_NEAR(gains.green, 1.0, 0.01);
+  EXPECT_NEAR(gains.blue, 1.0, 0.01);
+}
+
+TEST(LightAdaptation, AsksTheCarpetAloneWherePaintWasSaturated) {
+  FieldColours glare = kField;
+  glare.white = {255, 128, 128};
+  const LightGains evening{0.9, 0.7, 0.5};
+  LightAdaptation adaptation(glare);
+
+  take_for(adaptation, 4.0, field_in(evening));
+
+  expect_near(adaptation.state().gains, evening);
+}
+
 TEST(LightAdaptation, TakesSaturatedPaintForNoEvidence) {
   const LightGains glare{1.6, 1.6, 1.6};  // paint of 200 would be 320
   LightAdaptation adaptation(kField);
