@@ -29,7 +29,8 @@ FieldColours field_in(const LightGains& gains) {
 }
 
 void take_for(LightAdaptation& adaptation, double seconds, const std::optional<FieldColours>& now) {
-  for (double t = 0.0; t < seconds; t += kStep) adaptation.take(now, kStep);
+  const auto steps = static_cast<int>(std::lround(seconds / kStep));
+  for (int i = 0; i < steps; ++i) adaptation.take(now, kStep);
 }
 
 void expect_near(const LightGains& gains, const LightGains& expected) {
