@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@
 #include "tools/detection_report.hpp"
 #include "tools/frame_drawing.hpp"
 #include "tools/labelled_images.hpp"
+#include "tools/other_light.hpp"
 #include "tools/score_command.hpp"
 #include "tools/unknown_field.hpp"
 #include "tools/viewer.hpp"
@@ -32,9 +34,11 @@ struct ScoreDetectOptions {
   std::string sheet;
   std::string only_camera;
   bool series_out{false};
+  bool lights{false};
+  bool fixed_light{false};
 };
 
-void print(const std::string& kind, const std::string& name, const Score& score) {
+void print(const std::string& kind, std::string_view name, const Score& score) {
   ordered_json line;
   line[kind] = name;
   line.update(report_of(score));
@@ -72,35 +76,64 @@ class JudgedPictures {
   std::optional<ContactSheets> sheets_;
 };
 
-int score_detect(const ScoreDetectOptions& options) {
-  const std::vector<LabelledImage> images = read_labelled_images(options.folder);
-  ObstacleSamples obstacles;
-  BallSamples balls;
-  if (options.series_out) {
-    obstacles = obstacle_samples(options.folder.data, images);
-    balls = ball_samples(options.folder.data, images);
+/// Looks at the labelled images through their cameras' files.
+class Eyes {
+ public:
+  Eyes(const ScoreDetectOptions& options, const std::vector<LabelledImage>& images)
+      : options_(options) {
+    if (!options.series_out) return;
+    obstacles_ = obstacle_samples(options.folder.data, images);
+    balls_ = ball_samples(options.folder.data, images);
   }
+
+  /// @return valid until the next call
+  Viewed look(const LabelledImage& image, const OtherLight& light) {
+    const std::string camera =
+        options_.only_camera.empty() ? image.rule.camera.string() : options_.only_camera;
+    const std::string key = image.rule.series + camera;
+    auto viewer = viewers_.find(key);
+    if (viewer == viewers_.end()) {
+      viewer = viewers_
+                   .try_emplace(key,
+                                settings::load_camera(camera),
+                                unknown_field(),
+                                parameters_for(image.rule.series),
+                                !options_.fixed_light)
+                   .first;
+    }
+    const std::filesystem::path path = options_.folder.data / image.labels.image;
+    if (light == OtherLight{}) return viewer->second.look(path, {});
+    return viewer->second.look(
+        in_light(read_image(path, viewer->second.camera()), light), path.string(), {});
+  }
+
+ private:
+  [[nodiscard]] vision::PerceptionParameters parameters_for(const std::string& series) const {
+    vision::PerceptionParameters parameters;
+    if (!options_.series_out) return parameters;
+    parameters.obstacles = model_without(series, obstacles_, kLeastOfRobots);
+    parameters.balls = model_without(series, balls_, kLeastOfBalls);
+    return parameters;
+  }
+
+  const ScoreDetectOptions& options_;
+  ObstacleSamples obstacles_;
+  BallSamples balls_;
+  std::map<std::string, Viewer> viewers_;
+};
+
+void score_as_taken(const ScoreDetectOptions& options,
+                    const std::vector<LabelledImage>& images,
+                    Eyes& eyes) {
   JudgedPictures pictures(options);
-  std::map<std::string, Viewer> viewers;
   Scores by_series;
   Scores by_team;
   Score all;
-  for (const auto& [labels, rule] : images) {
-    const std::string camera =
-        options.only_camera.empty() ? rule.camera.string() : options.only_camera;
-    vision::PerceptionParameters parameters;
-    if (options.series_out) {
-      parameters.obstacles = model_without(rule.series, obstacles, kLeastOfRobots);
-      parameters.balls = model_without(rule.series, balls, kLeastOfBalls);
-    }
-    const auto viewer =
-        viewers
-            .try_emplace(
-                rule.series + camera, settings::load_camera(camera), unknown_field(), parameters)
-            .first;
-    const Viewed viewed = viewer->second.look(options.folder.data / labels.image, {});
+  for (const LabelledImage& image : images) {
+    const ImageLabels& labels = image.labels;
+    const Viewed viewed = eyes.look(image, {});
     const Score score = score_of(labels, *viewed.seen);
-    by_series[rule.series] += score;
+    by_series[image.rule.series] += score;
     by_team[labels.image.substr(0, labels.image.find('/'))] += score;
     all += score;
     pictures.add(labels, viewed);
@@ -109,6 +142,29 @@ int score_detect(const ScoreDetectOptions& options) {
   for (const auto& [name, score] : by_series) print("series", name, score);
   for (const auto& [name, score] : by_team) print("team", name, score);
   print("all", "images", all);
+}
+
+void score_in_lights(const std::vector<LabelledImage>& images, Eyes& eyes) {
+  Score others;
+  for (const OtherLight& light : other_lights()) {
+    Score score;
+    for (const LabelledImage& image : images) {
+      score += score_of(image.labels, *eyes.look(image, light).seen);
+    }
+    print("light", light.name, score);
+    others += score;
+  }
+  print("all", "other lights", others);
+}
+
+int score_detect(const ScoreDetectOptions& options) {
+  const std::vector<LabelledImage> images = read_labelled_images(options.folder);
+  Eyes eyes(options, images);
+  if (options.lights) {
+    score_in_lights(images, eyes);
+  } else {
+    score_as_taken(options, images, eyes);
+  }
   return 0;
 }
 
@@ -130,6 +186,13 @@ void add_score_detect_command(CLI::App& score, int& exit_code) {
   command->add_flag("--series-out",
                     options->series_out,
                     "tell balls and robots by models trained on the other series only");
+  command->add_flag("--lights",
+                    options->lights,
+                    "score the same pictures in other light instead: brighter, with other casts, "
+                    "noisy, blurred");
+  command->add_flag("--fixed-light",
+                    options->fixed_light,
+                    "do not follow the light, even where the camera file names one");
   command->add_option(
       "--draw", options->draw, "folder for a picture of each image, with what labels say of it");
   command->add_option(

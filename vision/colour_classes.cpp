@@ -81,8 +81,22 @@ void ColourClasses::classify(std::span<const std::uint8_t> luminance,
   }
 }
 
+SampledColour ColourClasses::restored_glare(int y, int du, int dv) const {
+  const Eigen::Array3d shown = rgb_of(y, 128 + du, 128 + dv).array();
+  const Eigen::Array3d gains(gains_.red, gains_.green, gains_.blue);
+  const Eigen::Array3d back = shown / gains;
+  const double brightest = back.maxCoeff();
+  const Eigen::Vector3d rgb = (shown > double{kBrightest}).select(brightest, back).matrix();
+  const Eigen::Vector3d yuv = yuv_from_rgb() * rgb;
+  const auto byte = [](double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  };
+  return {byte(yuv.x()), byte(128.0 + yuv.y()), byte(128.0 + yuv.z())};
+}
+
 void ColourClasses::adapt(const LightGains& gains) {
   TEAMSIGHT_EXPECT(gains.red > 0.0 && gains.green > 0.0 && gains.blue > 0.0);
+  gains_ = gains;
   is_adapted_ = gains != LightGains{};
   exposure_ = static_cast<float>(exposure_of(gains));
   const Eigen::Matrix3d to_yuv = yuv_from_rgb();

@@ -37,6 +37,7 @@ class ColourClasses {
     if (!is_adapted_) return {y, chroma.u, chroma.v};
     const int du = chroma.u - 128;
     const int dv = chroma.v - 128;
+    if (has_no_room(y, du, dv)) return restored_glare(y, du, dv);
     const auto row = [&](const std::array<int, 3>& weights, int offset) {
       const int value = (weights[0] * y + weights[1] * du + weights[2] * dv + kHalf) >> kShift;
       return static_cast<std::uint8_t>(std::clamp(value + offset, 0, 255));
@@ -82,11 +83,22 @@ class ColourClasses {
   [[nodiscard]] float exposure() const { return exposure_; }
 
  private:
+  // Whether red, green or blue is as bright as can be shown; the factors are those of `rgb_of`.
+  [[nodiscard]] static bool has_no_room(int y, int du, int dv) {
+    constexpr int kMost = kBrightest * 256;
+    const int grey = 256 * y;
+    return grey + 359 * dv > kMost || grey + 454 * du > kMost || grey - 88 * du - 183 * dv > kMost;
+  }
+
+  // What is as bright as can be shown may be brighter: as little colour as that leaves open.
+  [[nodiscard]] SampledColour restored_glare(int y, int du, int dv) const;
+
   // As the two bytes lie in memory: one load.
   [[nodiscard]] static std::size_t cell_of(Chroma chroma) {
     return std::size_t{chroma.v} << 8U | chroma.u;
   }
 
+  static constexpr int kBrightest = 250;  // grey levels; as good as the brightest that is shown
   static constexpr int kShift = 14;
   static constexpr int kHalf = 1 << (kShift - 1);
 
@@ -98,6 +110,7 @@ class ColourClasses {
   std::array<ColourClass, 8> vertex_colours_{};  // kNone where that is black or white
   bool is_adapted_{false};
   float exposure_{1.0F};
+  LightGains gains_;
   std::array<std::array<int, 3>, 3> back_{};  // fixed point: (y, u, v) to the file's light
   std::uint8_t white_min_y_;
   std::uint8_t black_max_y_;

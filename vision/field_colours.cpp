@@ -9,28 +9,48 @@ namespace teamsight::vision {
 
 namespace {
 
-constexpr unsigned kBinBits = 2;          // of chroma: four levels share a bin
-constexpr double kCarpetShare = 0.1;      // of the floor, around the most frequent chroma
-constexpr int kNear = 10;                 // of chroma: this is carpet
+constexpr double kCarpetShare = 0.1;      // of the floor, around the most frequent hue
 constexpr int kBrighter = 35;             // grey levels over the carpet
 constexpr std::size_t kFewestPaint = 50;  // samples
+// Chroma over luminance: what shade, a vignette and exposure leave as it is. Dark is noise, mostly.
+constexpr float kDark = 16.0F;  // grey levels, added to luminance
+constexpr float kBinsOfOne = 32.0F;
+constexpr float kNear = 0.1F;  // this is carpet
+constexpr float kGrey = 0.06F;
+constexpr float kRed = 0.03F;
+constexpr float kPaint = 0.5F;       // of the carpet's own: paint is at least as far from it
+constexpr float kMostColour = 0.3F;  // of paint, or the carpet's own: a ball has more
+
+/// Chroma over luminance.
+struct Tint {
+  float u{0.0F};
+  float v{0.0F};
+};
+
+Tint tint_of(const SampledColour& sample) {
+  const float scale = 1.0F / (static_cast<float>(sample.y) + kDark);
+  return {scale * static_cast<float>(sample.u - 128), scale * static_cast<float>(sample.v - 128)};
+}
 
 // Grey is no carpet, paint, body and people are grey; nor is what is more red than green.
 bool may_be_carpet(const SampledColour& sample) {
-  const int du = sample.u - 128;
-  const int dv = sample.v - 128;
-  return sample.v < 124 && du * du + dv * dv > 64;
+  const Tint tint = tint_of(sample);
+  return !is_saturated(sample) && tint.v < -kRed &&
+         tint.u * tint.u + tint.v * tint.v > kGrey * kGrey;
 }
 
-bool is_near(const SampledColour& sample, const SampledColour& middle) {
-  return std::abs(sample.u - middle.u) < kNear && std::abs(sample.v - middle.v) < kNear;
+bool is_near(const SampledColour& sample, const Tint& middle) {
+  const Tint tint = tint_of(sample);
+  return std::abs(tint.u - middle.u) < kNear && std::abs(tint.v - middle.v) < kNear;
 }
 
 bool may_be_paint(const SampledColour& sample, const SampledColour& green) {
-  const int du = sample.u - green.u;
-  const int dv = sample.v - green.v;
+  const Tint carpet = tint_of(green);
+  const Tint tint = tint_of(sample);
+  const float colour = std::hypot(carpet.u, carpet.v);
   return sample.y > green.y + kBrighter && !is_saturated(sample) &&
-         4 * (du * du + dv * dv) > kNear * kNear;
+         std::hypot(tint.u, tint.v) < std::max(kMostColour, colour) &&
+         std::hypot(tint.u - carpet.u, tint.v - carpet.v) > kPaint * colour;
 }
 
 /// The value below which `rank` of the counted ones lie.
@@ -58,20 +78,26 @@ SampledColour FieldColourMeter::median_of(const Channels& channels) {
   return {at_rank(channels.y, rank), at_rank(channels.u, rank), at_rank(channels.v, rank)};
 }
 
-SampledColour FieldColourMeter::most_frequent(std::span<const SampledColour> floor) {
-  votes_.fill(0);
-  for (const SampledColour& p : floor) {
-    if (may_be_carpet(p)) ++votes_[(std::size_t{p.u} >> kBinBits) * kBins + (p.v >> kBinBits)];
-  }
-  const auto best = static_cast<std::size_t>(std::ranges::max_element(votes_) - votes_.begin());
-  const auto middle = [](std::size_t bin) {
-    return static_cast<std::uint8_t>((bin << kBinBits) + (1U << (kBinBits - 1)));
+std::size_t FieldColourMeter::bin_of(const SampledColour& sample) {
+  static constexpr int kMost = static_cast<int>(kBins) - 1;
+  const auto place = [](float tint) {
+    const float shown = kBinsOfOne * tint + 0.5F * static_cast<float>(kBins);
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(shown), 0, kMost));
   };
-  return {0, middle(best / kBins), middle(best % kBins)};
+  const Tint tint = tint_of(sample);
+  return place(tint.u) * kBins + place(tint.v);
 }
 
 std::optional<SampledColour> FieldColourMeter::green_of(std::span<const SampledColour> floor) {
-  const SampledColour middle = most_frequent(floor);
+  votes_.fill(0);
+  for (const SampledColour& p : floor) {
+    if (may_be_carpet(p)) votes_[bin_of(p)] += p.y;
+  }
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(votes_) - votes_.begin());
+  const auto middle_of = [](std::size_t bin) {
+    return (static_cast<float>(bin) + 0.5F - 0.5F * static_cast<float>(kBins)) / kBinsOfOne;
+  };
+  const Tint middle{middle_of(best / kBins), middle_of(best % kBins)};
   carpet_ = {};
   for (const SampledColour& p : floor) {
     if (is_near(p, middle) && may_be_carpet(p)) add(p, carpet_);

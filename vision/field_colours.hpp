@@ -38,7 +38,7 @@ class FieldColourMeter {
     std::size_t count;
   };
 
-  [[nodiscard]] SampledColour most_frequent(std::span<const SampledColour> floor);
+  [[nodiscard]] static std::size_t bin_of(const SampledColour& sample);
   [[nodiscard]] std::optional<SampledColour> green_of(std::span<const SampledColour> floor);
   [[nodiscard]] std::optional<SampledColour> white_of(std::span<const SampledColour> floor,
                                                       const SampledColour& green);

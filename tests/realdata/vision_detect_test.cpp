@@ -23,6 +23,11 @@ constexpr int kRobotsFound = 67;
 constexpr int kRobotsFalse = 2;
 constexpr int kPeopleFound = 29;
 constexpr int kLegsFalse = 29;
+// The same in 21 other lights together.
+constexpr int kBallsFoundInLights = 1083;
+constexpr int kBallsFalseInLights = 103;
+constexpr int kRobotsFoundInLights = 1349;
+constexpr int kRobotsFalseInLights = 142;
 
 std::string variable(const char* name, const std::string& otherwise) {
   // A test has one thread when it reads its environment.
@@ -40,11 +45,11 @@ fs::path data_dir() {
 }
 
 /// The last line of the command's output, which sums up all images.
-nlohmann::json score_of_all() {
-  const std::string command = variable("TEAMSIGHT_BIN_DIR", "build/release/bin") +
-                              "/teamsight score detect --data '" + data_dir().string() +
-                              "' --cameras '" +
-                              (source_dir() / "tests/realdata/cameras.txt").string() + "'";
+nlohmann::json score_of_all(const std::string& option) {
+  const std::string command =
+      variable("TEAMSIGHT_BIN_DIR", "build/release/bin") + "/teamsight score detect --data '" +
+      data_dir().string() + "' --cameras '" +
+      (source_dir() / "tests/realdata/cameras.txt").string() + "' " + option;
   // The command is made of this test's own paths.
   // NOLINTNEXTLINE(cert-env33-c)
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
@@ -63,7 +68,7 @@ TEST(LabelledImages, AreReadAtLeastAsWellAsBefore) {
     GTEST_SKIP() << "no real data in " << data_dir();
   }
 
-  const nlohmann::json score = score_of_all();
+  const nlohmann::json score = score_of_all("");
 
   ASSERT_FALSE(score.is_discarded());
   std::cout << score.dump() << '\n';
@@ -73,6 +78,21 @@ TEST(LabelledImages, AreReadAtLeastAsWellAsBefore) {
   EXPECT_LE(score.at("robots").at("false_on_carpet"), kRobotsFalse);
   EXPECT_GE(score.at("people").at("found"), kPeopleFound);
   EXPECT_LE(score.at("people").at("false_on_carpet"), kLegsFalse);
+}
+
+TEST(LabelledImages, AreReadAtLeastAsWellAsBeforeInOtherLight) {
+  if (!fs::exists(data_dir() / "labels.json")) {
+    GTEST_SKIP() << "no real data in " << data_dir();
+  }
+
+  const nlohmann::json score = score_of_all("--lights");
+
+  ASSERT_FALSE(score.is_discarded());
+  std::cout << score.dump() << '\n';
+  EXPECT_GE(score.at("balls").at("found"), kBallsFoundInLights);
+  EXPECT_LE(score.at("balls").at("false_on_carpet"), kBallsFalseInLights);
+  EXPECT_GE(score.at("robots").at("found"), kRobotsFoundInLights);
+  EXPECT_LE(score.at("robots").at("false_on_carpet"), kRobotsFalseInLights);
 }
 
 }  // namespace

@@ -111,5 +111,20 @@ TEST(ColourClasses, ComeBackUnchangedFromAnotherLight) {
   EXPECT_EQ(colours.exposure(), 1.0F);
 }
 
+// Its blue would be brighter than can be shown: what is left of it looks yellow when taken back.
+TEST(ColourClasses, TakeNoGlareForAColourInAnotherLight) {
+  ColourParameters parameters;
+  parameters.sectors = {{ColourClass::kBall, 2.5, 3.7, 12}};
+  ColourClasses colours(parameters);
+  colours.adapt({1.0, 1.0, 1.25});
+  const auto shown = [&](int b, int g, int r) {
+    return colours.chromatic(luminance_of_bgr(b, g, r), chroma_of_bgr(b, g, r));
+  };
+
+  EXPECT_EQ(shown(255, 230, 230), ColourClass::kNone);
+  EXPECT_EQ(shown(120, 230, 255), ColourClass::kBall) << "yellow, its red in glare";
+  EXPECT_EQ(shown(230, 230, 230), ColourClass::kBall) << "dim yellow in that light";
+}
+
 }  // namespace
 }  // namespace teamsight::vision

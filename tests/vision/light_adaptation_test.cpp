@@ -29,7 +29,8 @@ FieldColours field_in(const LightGains& gains) {
 }
 
 void take_for(LightAdaptation& adaptation, double seconds, const std::optional<FieldColours>& now) {
-  for (double t = 0.0; t < seconds; t += kStep) adaptation.take(now, kStep);
+  const auto steps = static_cast<int>(std::lround(seconds / kStep));
+  for (int i = 0; i < steps; ++i) adaptation.take(now, kStep);
 }
 
 void expect_near(const LightGains& gains, const LightGains& expected) {
@@ -94,6 +95,30 @@ TEST(LightAdaptation, KeepsItsGainsWhileNothingIsSeen) {
 
   EXPECT_EQ(adaptation.state().status, LightStatus::kWaiting);
   EXPECT_LT(adaptation.state().confidence, 0.1);
+  expect_near(adaptation.state().gains, evening);
+}
+
+// Shade, and how much of what is in view, differ as much from picture to picture.
+TEST(LightAdaptation, TakesALittleForNoOtherLight) {
+  LightAdaptation adaptation(kField);
+
+  take_for(adaptation, 4.0, field_in({1.04, 1.0, 0.97}));
+
+  const LightGains& gains = adaptation.state().gains;
+  EXPECT_EQ(adaptation.state().status, LightStatus::kFollowing);
+  EXPECT_NEAR(gains.red, 1.0, 0.01);
+  EXPECT_NEAR(gains.green, 1.0, 0.01);
+  EXPECT_NEAR(gains.blue, 1.0, 0.01);
+}
+
+TEST(LightAdaptation, AsksTheCarpetAloneWherePaintWasSaturated) {
+  FieldColours glare = kField;
+  glare.white = {255, 128, 128};
+  const LightGains evening{0.9, 0.7, 0.5};
+  LightAdaptation adaptation(glare);
+
+  take_for(adaptation, 4.0, field_in(evening));
+
   expect_near(adaptation.state().gains, evening);
 }
 
