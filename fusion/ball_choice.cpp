@@ -54,14 +54,15 @@ bool is_seen_beside(const TrackBook& before, const TrackBook& after) {
 /// Log-odds that the one listed before is a ball, against another that is found. Where both are
 /// seen at once, neither is the other hidden: one that a single robot has vouched for so far is
 /// then no better founded than a new one. Where the other began as the ball that was known before
-/// might have, either may be that ball: what counts is who sees which of them now.
+/// might have, and more than one robot vouches for it, either may be that ball: what counts is who
+/// sees which of them now.
 double log_odds_held(const TrackBook& before,
                      const BallTrack& found,
                      const Parameters& parameters) {
-  if (found.branched_from == before.key) return log_odds_of(before);
   const TrackBook& after = found.book;
-  const double proven = log_odds_proven(before, parameters.choice);
   const double one_word = parameters.ball.most_vote;
+  if (found.branched_from == before.key && after.proven > one_word) return log_odds_of(before);
+  const double proven = log_odds_proven(before, parameters.choice);
   const bool is_as_new = is_seen_beside(before, after) && before.proven <= one_word;
   return is_as_new ? proven - one_word : proven;
 }
