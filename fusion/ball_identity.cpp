@@ -2,6 +2,7 @@
 #include "fusion/ball_identity.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "fusion/ball_choice.hpp"
@@ -18,23 +19,32 @@ bool contains(const BallKeys& keys, std::uint32_t key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Whether `found` is real and what `lost` was: seen first after the other was seen last, where
-/// that may be.
-bool may_be(const BallTrack& lost, const BallTrack& found, const Parameters& parameters) {
-  constexpr double kClear = 3.0;  // log-odds over its being a false one: 95 %
-  return lost.book.is_confirmed && found.book.born - lost.book.last_hit >= kShortestLoss &&
-         log_odds_found(found, parameters) + log_explained(lost, found, parameters.choice) >=
-             kClear;
+/// Log-odds that `found` is real and what `lost` was, seen first after the other was seen last;
+/// nothing where that cannot be.
+std::optional<double> log_odds_same(const BallTrack& lost,
+                                    const BallTrack& found,
+                                    const Parameters& parameters) {
+  if (!lost.book.is_confirmed || found.book.born - lost.book.last_hit < kShortestLoss) return {};
+  return log_odds_found(found, parameters) + log_explained(lost, found, parameters.choice);
 }
 
-/// The track that `found` goes on from, or the list's size.
-std::size_t forerunner_of(const BallTrack& found,
-                          const BallList& balls,
-                          const Parameters& parameters) {
-  std::size_t latest = balls.size();
+/// A ball that another goes on from.
+struct Forerunner {
+  std::size_t place{0};  ///< the list's size if there is none
+  double log_odds{0.0};  ///< that it is that one
+};
+
+Forerunner forerunner_of(const BallTrack& found,
+                         const BallList& balls,
+                         const Parameters& parameters) {
+  constexpr double kClear = 3.0;  // log-odds over its being a false one: 95 %
+  Forerunner latest{balls.size()};
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (!may_be(balls[i], found, parameters)) continue;
-    if (latest == balls.size() || balls[i].book.last_hit > balls[latest].book.last_hit) latest = i;
+    const auto odds = log_odds_same(balls[i], found, parameters);
+    if (!odds || *odds < kClear) continue;
+    const bool is_later =
+        latest.place == balls.size() || balls[i].book.last_hit > balls[latest.place].book.last_hit;
+    if (is_later) latest = {i, *odds};
   }
   return latest;
 }
@@ -89,10 +99,12 @@ std::uint32_t recognise(BallList& balls,
     if (!contains(before, book.key)) {
       balls[i].branched_from = branch_of(balls[i], balls, parameters);
     }
-    if (const std::size_t old = forerunner_of(balls[i], balls, parameters); old < balls.size()) {
+    const auto [old, log_odds] = forerunner_of(balls[i], balls, parameters);
+    if (old < balls.size()) {
       book.key = balls[old].book.key;
       balls[i].is_known_again = true;
-      book.proven = std::max(book.proven, balls[old].book.proven);
+      // What proved the lost one proves this one as far as it is sure to be that one.
+      book.proven = std::max(book.proven, std::min(balls[old].book.proven, log_odds));
       // It stands where the lost one stood: what came after that does not come before this.
       balls[old] = balls[i];
       balls.erase(i);
