@@ -142,6 +142,29 @@ TEST(OrderOfChoice, OfTwoThatMayBeTheKnownBallTheOneThatMoreRobotsSeeIsIt) {
   EXPECT_EQ(first(), 0U);
 }
 
+TEST(Recognise, WhatProvedTheLostBallProvesTheFoundOneAsFarAsItIsSureToBeIt) {
+  const auto found_near = [](double x) {
+    BallList balls;
+    balls.push_back(ball_that_was_known());
+    doubt(balls[0], 0.2);
+    BallTrack found = ball_at(x, 0.0, 3.0, 3.2);
+    found.book.key = 6;
+    balls.push_back(found);
+    BallKeys before;
+    before.push_back(balls[0].book.key);
+    (void)recognise(balls, before, 0, kParameters);
+    return balls[0].book;
+  };
+
+  const TrackBook there = found_near(0.1);
+  const TrackBook kicked = found_near(0.6);
+
+  EXPECT_EQ(there.key, 5U);
+  EXPECT_EQ(kicked.key, 5U);
+  EXPECT_GT(there.proven, kicked.proven);
+  EXPECT_LT(kicked.proven, ball_that_was_known().book.proven);
+}
+
 TEST(Recognise, ABallThatBeginsWhereTheKnownOneMayHaveBeenKickedMayBeIt) {
   const auto branch = [](double x, double chance_of_kick) {
     BallList balls;
