@@ -1,6 +1,7 @@
 // tests/bench/robot_logs_test.cpp: reading a data set of real robots.
 #include "bench/mrclam/robot_logs.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -19,9 +20,9 @@ using ::testing::ThrowsMessage;
 /// A folder with a second of five robots that stand still and see one landmark and each other.
 class RobotLogFolder : public ::testing::Test {
  protected:
-  RobotLogFolder() : folder_(fs::path(::testing::TempDir()) / "robot_logs") {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  RobotLogFolder() {
+    std::string name = (fs::temp_directory_path() / "teamsight-robot-logs-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
     write("Barcodes.dat", "# comment\n 1 5\n 2 14\n 3 41\n 4 32\n 5 23\n 6 63\n");
     write("Landmark_Groundtruth.dat", "6 1.5 -2.0 0.001 0.001\n");
     for (int robot = 1; robot <= kRobots; ++robot) {
@@ -32,6 +33,8 @@ class RobotLogFolder : public ::testing::Test {
             "100.2\t63\t1.5\t0.25\n100.2 14 2.0 -0.5\n100.3 99 1.0 0.0\n");
     }
   }
+
+  ~RobotLogFolder() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
