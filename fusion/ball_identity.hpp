@@ -17,7 +17,8 @@ using BallKeys = InlineList<std::uint32_t, kMaxBallTracks>;
 /// track of its own (whatever is seen fits a track that may be anywhere, the false as well). Once
 /// that track is confirmed, and within its first second, it takes the key of the lost one, which
 /// ends: of the one that it clearly goes on from (fusion/ball_choice.hpp), or, if no other ball is
-/// known, of the one that was given up last.
+/// known, of the one that was given up last. A ball that began where one that was still seen may
+/// have been kicked is marked as its branch.
 ///
 /// @param before  the tracks that were confirmed before the frame
 /// @param lost  key of the track that was given up last and not found again; 0: none

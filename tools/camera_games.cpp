@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
@@ -88,7 +89,12 @@ play::PlayLog camera_game(const play::Scenario& scenario,
     camera_play::CameraEyes eyes(games.setup, scenario, seed);
     return play::play_log(scenario, seed, seconds, eyes);
   }
-  std::filesystem::create_directories(games.kept);
+  std::error_code error;
+  std::filesystem::create_directories(games.kept, error);
+  if (error) {
+    throw std::runtime_error(fmt::format(
+        "{}: found {}, expected a folder to keep games in", games.kept.string(), error.message()));
+  }
   const auto file = games.kept / fmt::format("{}-{}.mcap", scenario.name, seed);
   const kept_play::Facts facts = facts_of(scenario, seed, seconds, games);
   if (auto looks = looks_in(file, facts)) {
