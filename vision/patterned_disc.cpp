@@ -312,43 +312,63 @@ double angular_radius_at(const PixelRay& ray, double ball_radius) {
   return down > 0.0 && height > 0.0 ? ball_radius * down / height : 0.0;
 }
 
-std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
-  const auto start = index_of(place, place.pixel);
-  if (!start) return std::nullopt;
-  double expected = angular_radius_at(place.frame.rays[*start], place.ball_radius);
-  const double radius_px = expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
-  if (!may_be_of_two(place, radius_px)) return std::nullopt;
-  const double span = 0.5 * radius_px;
-  auto view = view_around(place.frame.rays, place.pixel, span);
+namespace {
+
+/// What is seen around a pixel that may lie on a ball.
+struct Look {
+  LocalView view;
+  double expected{0.0};  // angular radius of a ball there, rad
+  Surroundings around;
+  StarDisc disc;
+};
+
+/// @param span  pixels to either side by which the view's scale is told
+std::optional<Look> look_from(const PatternPlace& place, const Pixel& pixel, double span) {
+  const auto index = index_of(place, pixel);
+  if (!index) return std::nullopt;
+  const double expected = angular_radius_at(place.frame.rays[*index], place.ball_radius);
+  const auto view = view_around(place.frame.rays, pixel, span);
   if (expected <= 0.0 || !view) return std::nullopt;
-  // From somewhere within to about the middle.
-  auto around = surroundings_of(place, *view, expected);
-  const auto first = around ? disc_in(around->star, expected) : std::nullopt;
-  if (!first) return std::nullopt;
-  const Pixel middle = view->pixel(first->middle);
-  const auto pixel = index_of(place, middle);
-  if (!pixel) return std::nullopt;
-  view = view_around(place.frame.rays, middle, span);
-  expected = angular_radius_at(place.frame.rays[*pixel], place.ball_radius);
-  if (expected <= 0.0 || !view) return std::nullopt;
-  around = surroundings_of(place, *view, expected);
+  const auto around = surroundings_of(place, *view, expected);
   const auto disc = around ? disc_in(around->star, expected) : std::nullopt;
-  if (!disc || !may_be_ball(*disc, expected)) return std::nullopt;
+  if (!disc) return std::nullopt;
+  return Look{*view, expected, *around, *disc};
+}
+
+/// What the disc is taken for; nothing: hardly a ball.
+std::optional<PatternedDisc> judged(const PatternPlace& place, const Look& look) {
   PatternedDisc found;
-  measure_edge(around->star, *disc, way_to_robot(place, *view), found.traits);
-  const double size = std::log(disc->radius / expected);
+  measure_edge(look.around.star, look.disc, way_to_robot(place, look.view), found.traits);
+  const double size = std::log(look.disc.radius / look.expected);
   found.traits[0] = std::pow(std::min(0.0, size), 2);
   found.traits[1] = std::pow(std::max(0.0, size), 2);
-  found.traits[2] = disc->scatter;
-  const double least = around->is_backed ? std::max(kSure, place.model.least) : place.model.least;
+  found.traits[2] = look.disc.scatter;
+  const double least =
+      look.around.is_backed ? std::max(kSure, place.model.least) : place.model.least;
   if (most_probable(place.model, found.traits) < least) return std::nullopt;
-  view->middle = view->pixel(disc->middle);
-  found.view = *view;
-  found.radius = disc->radius;
-  measure_colours(shares_in(place, *view, disc->radius), place.pattern, found.traits);
+  found.view = look.view;
+  found.view.middle = look.view.pixel(look.disc.middle);
+  found.radius = look.disc.radius;
+  measure_colours(shares_in(place, found.view, found.radius), place.pattern, found.traits);
   found.probability = probability(place.model, found.traits);
   if (found.traits[6] < kLeastMixture || found.probability < least) return std::nullopt;
   return found;
+}
+
+}  // namespace
+
+std::optional<PatternedDisc> disc_around(const PatternPlace& place) {
+  const auto start = index_of(place, place.pixel);
+  if (!start) return std::nullopt;
+  const double expected = angular_radius_at(place.frame.rays[*start], place.ball_radius);
+  const double radius_px = expected / std::sqrt(static_cast<double>(place.solid_angle[*start]));
+  if (!may_be_of_two(place, radius_px)) return std::nullopt;
+  // From somewhere within to about the middle.
+  const auto first = look_from(place, place.pixel, 0.5 * radius_px);
+  if (!first) return std::nullopt;
+  const auto look = look_from(place, first->view.pixel(first->disc.middle), 0.5 * radius_px);
+  if (!look || !may_be_ball(look->disc, look->expected)) return std::nullopt;
+  return judged(place, *look);
 }
 
 }  // namespace teamsight::vision

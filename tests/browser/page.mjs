@@ -328,6 +328,10 @@ scenarios.imports = async (page) => {
   await page.screenshot({ path: join(folder, "page-imported.png") });
 };
 
+/** What the page says about itself, for who reads why a test failed. */
+const shown = () =>
+  browser.pages().at(-1).evaluate(() => ["mark", "silence", "game", "position"].map((id) => `${id}: ${document.getElementById(id)?.textContent ?? "not there"}`).join(", ")).catch((error) => error.message);
+
 /** The test puts the token into the address's fragment, which this scenario takes away first. */
 scenarios.asks = async (page) => {
   await page.waitForSelector("#token-dialog[open]", BOUND);
@@ -373,6 +377,7 @@ scenarios.looks = async (page) => {
 };
 
 const profile = mkdtempSync(join(tmpdir(), "teamsight-chromium-"));
+const complaints = [];
 const browser = await chromium.launchPersistentContext(profile, {
   executablePath: "/usr/bin/chromium",
   headless: true,
@@ -381,7 +386,6 @@ const browser = await chromium.launchPersistentContext(profile, {
 });
 try {
   const page = await browser.newPage();
-  const complaints = [];
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
     // A station that is away is not the page's fault.
@@ -391,7 +395,7 @@ try {
   await scenarios[scenario](page);
   expect(complaints.length === 0, `the page complains: ${complaints.join("; ")}`);
 } catch (error) {
-  process.stderr.write(`${scenario}: ${error.message}\n`);
+  process.stderr.write(`${scenario}: ${[error.stack, ...complaints, await shown()].join("\n")}\n`);
   process.exitCode = 1;
 } finally {
   await browser.close();

@@ -2,6 +2,7 @@
 #include "tests/network/stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <set>
 
@@ -23,10 +24,6 @@ void keep_worst(Knowledge& worst, const Knowledge& one) {
   worst.own_rate_hz = std::min(worst.own_rate_hz, one.own_rate_hz);
   worst.air_gap_ms = std::max(worst.air_gap_ms, one.air_gap_ms);
   worst.air_age_ms = std::max(worst.air_age_ms, one.air_age_ms);
-  if (one.ball_rmse_m * worst.ball_bound_m >= worst.ball_rmse_m * one.ball_bound_m) {
-    worst.ball_rmse_m = one.ball_rmse_m;  // the worst ratio of the two
-    worst.ball_bound_m = one.ball_bound_m;
-  }
   worst.leaders.insert(one.leaders.begin(), one.leaders.end());
   worst.robots = static_cast<std::uint8_t>(worst.robots & one.robots);
 }
@@ -117,6 +114,8 @@ Knowledge Stage::report(const std::string& title, const Interval& interval) {
       "robots");
   std::optional<Knowledge> worst;
   double air_share = 0.0;
+  double ball_error = 0.0;
+  double ball_variance = 0.0;
   int readers = 0;
   for (RobotId robot = 1; robot <= team.robots(); ++robot) {
     const Knowledge one = knowledge_of(team.sights(robot), interval);
@@ -135,6 +134,8 @@ Knowledge Stage::report(const std::string& title, const Interval& interval) {
                   leaders_of(one).c_str(),
                   static_cast<unsigned>(one.robots));
     outcome.say(line.data());
+    ball_error += one.ball_rmse_m * one.ball_rmse_m / team.robots();
+    ball_variance += one.ball_bound_m * one.ball_bound_m / team.robots();
     if (!one.leaders.contains(robot)) {
       air_share += one.air_share;
       ++readers;
@@ -145,8 +146,11 @@ Knowledge Stage::report(const std::string& title, const Interval& interval) {
       worst = one;
     }
   }
-  if (worst && readers > 0) worst->air_share = air_share / readers;
-  return worst.value_or(Knowledge{});
+  if (!worst) return {};
+  if (readers > 0) worst->air_share = air_share / readers;
+  worst->ball_rmse_m = std::sqrt(ball_error);
+  worst->ball_bound_m = std::sqrt(ball_variance);
+  return *worst;
 }
 
 WireMark Stage::mark() {

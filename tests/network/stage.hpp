@@ -52,8 +52,9 @@ class Stage {
   [[nodiscard]] Interval run_for(milliseconds duration) const;
 
   /// One line per robot, and what went over the wire since the start or the report before. Returns
-  /// the worst of each figure, and of the share over the air the mean of those robots that did not
-  /// lead themselves.
+  /// the worst of each figure, but of the share over the air the mean of those robots that did not
+  /// lead themselves, and of the ball the RMS over the team: what one robot saw go wrong in a few
+  /// seconds is a kick or two that came while nothing arrived.
   Knowledge report(const std::string& title, const Interval& interval);
 
   /// Bytes per robot and team on the wire over a stretch of calm or foul weather.

@@ -28,6 +28,7 @@ import { TimelineView } from "./timeline_view";
 
 /** Ages go on when nothing arrives, so the page is drawn now and then without news. */
 const IDLE_DRAW_MS = 100;
+const RETRY_MS = 1000;
 
 const MARK_WORDS: Record<string, string> = {
   LIVE: "This is now",
@@ -46,6 +47,8 @@ let newest: MonitorUpdate | undefined;
 let receivedAt = 0;
 let connected = false;
 let isDrawingPlanned = false;
+let isLoading = false; // a recording: once
+let loadTrouble = "";
 let raw: "none" | "all" | "chosen" = "none";
 let shownIndex = -1;
 let shown: MonitorUpdate | undefined;
@@ -98,7 +101,7 @@ function drawMark(update: MonitorUpdate | undefined, since: number): void {
   const word = state === "live" ? (mark.live ? "LIVE" : "NO DATA") : state.toUpperCase();
   set(byId("mark"), { "data-state": state === "live" && !mark.live ? "none" : state, "data-why": MARK_WORDS[word] ?? "" });
   write(byId("mark"), word);
-  write(byId("silence"), mark.reason);
+  write(byId("silence"), loadTrouble || mark.reason);
   write(byId("notice"), noticeOf(update));
   set(document.body, { class: state === "live" && mark.live ? "live" : `not-live ${state}` });
 }
@@ -211,9 +214,26 @@ byId("tabs").addEventListener("click", (event) => {
 byId("token-form").addEventListener("submit", () => orders.accept((byId("token") as HTMLInputElement).value));
 setTheme(localStorage.getItem("teamsight.theme") ?? "dark");
 
+async function fetchRecording(address: string): Promise<Uint8Array> {
+  for (;;) {
+    try {
+      const answer = await fetch(`${address}${orders.token ? `?token=${orders.token}` : ""}`);
+      if (!answer.ok) throw new Error(`the station answers ${answer.status}`);
+      const body = new Uint8Array(await answer.arrayBuffer());
+      loadTrouble = "";
+      return body;
+    } catch (error) {
+      loadTrouble = `The recording does not arrive (${(error as Error).message}): asked for again every second`;
+      await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
+    }
+  }
+}
+
 /** The station shows a recording: all of it is fetched, and there is no present. */
 async function loadRecording(address: string, dateMinusStampNs: bigint): Promise<void> {
-  const body = new Uint8Array(await (await fetch(`${address}${orders.token ? `?token=${orders.token}` : ""}`)).arrayBuffer());
+  if (isLoading || player.isRecording) return;
+  isLoading = true;
+  const body = await fetchRecording(address);
   history = new History(RECORDING_BOUNDS);
   player = new Player(history, true);
   set(document.body, { "data-shows": "recording" });
@@ -239,7 +259,7 @@ function take(update: MonitorUpdate, bytes: Uint8Array): void {
   }
   if (update.refused) orders.refuse(update.refused);
   if (update.recording) {
-    if (!player.isRecording) void loadRecording(update.recording, update.dateMinusStampNs);
+    void loadRecording(update.recording, update.dateMinusStampNs);
     return;
   }
   robotCard.show(update.thumbnails);
