@@ -94,7 +94,8 @@ double log_explained(const BallTrack& before,
                      const BallTrack& after,
                      const ChoiceParameters& parameters) {
   if (is_seen_beside(before.book, after.book)) return std::log(kLeast);
-  return log_foreseen(before, after, parameters);
+  const double now = log_foreseen(before, after, parameters);
+  return after.goes_on_from == before.book.key ? std::max(now, after.log_going_on) : now;
 }
 
 double log_foreseen(const BallTrack& before,

@@ -28,6 +28,19 @@ std::optional<double> log_odds_same(const BallTrack& lost,
   return log_odds_found(found, parameters) + log_explained(lost, found, parameters.choice);
 }
 
+/// Whether another than `found` has turned up since `lost` was seen last, for which more than one
+/// robot vouches: then that one is the game's ball, and what turns up later is none that was lost.
+bool is_followed(const BallTrack& lost,
+                 const BallTrack& found,
+                 const BallList& balls,
+                 const Parameters& parameters) {
+  return std::any_of(balls.begin(), balls.end(), [&](const BallTrack& other) {
+    return other.book.key != found.book.key && other.book.is_confirmed &&
+           other.book.born > lost.book.last_hit &&
+           log_odds_of(other.book) > parameters.ball.most_vote;
+  });
+}
+
 /// A ball that another goes on from.
 struct Forerunner {
   std::size_t place{0};  ///< the list's size if there is none
@@ -41,7 +54,7 @@ Forerunner forerunner_of(const BallTrack& found,
   Forerunner latest{balls.size()};
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const auto odds = log_odds_same(balls[i], found, parameters);
-    if (!odds || *odds < kClear) continue;
+    if (!odds || *odds < kClear || is_followed(balls[i], found, balls, parameters)) continue;
     const bool is_later =
         latest.place == balls.size() || balls[i].book.last_hit > balls[latest.place].book.last_hit;
     if (is_later) latest = {i, *odds};
@@ -61,6 +74,19 @@ std::uint32_t branch_of(const BallTrack& found,
     if (log_foreseen(ball, found, parameters.choice) > 0.0) return ball.book.key;
   }
   return 0;
+}
+
+/// Writes down what speaks for a young ball going on from one that is not seen any more. Later the
+/// other's possibilities say less of it: where this one is seen, they are not.
+void note_origin(BallTrack& young, const BallList& balls, const Parameters& parameters) {
+  if (young.book.time - young.book.born > kLongestDoubt) return;
+  for (const BallTrack& old : balls) {
+    if (!old.book.is_confirmed || old.book.last_hit >= young.book.born) continue;
+    const double log_going_on = log_foreseen(old, young, parameters.choice);
+    if (young.goes_on_from != 0 && log_going_on <= young.log_going_on) continue;
+    young.goes_on_from = old.book.key;
+    young.log_going_on = log_going_on;
+  }
 }
 
 /// Whether it is not yet decided what a ball was.
@@ -93,6 +119,7 @@ std::uint32_t recognise(BallList& balls,
                         const Parameters& parameters) {
   const BallKeys after = confirmed_keys(balls);
   lost = last_lost(lost, before, after);
+  for (BallTrack& ball : balls) note_origin(ball, balls, parameters);
   for (std::size_t i = balls.size(); i-- > 0;) {
     if (!is_in_doubt(balls[i], before)) continue;
     TrackBook& book = balls[i].book;

@@ -22,6 +22,9 @@ struct BallTrack {
   /// Key of the ball that was seen beside it when it began, and that it may be instead; 0: none.
   std::uint32_t branched_from{0};
   bool is_known_again{false};  ///< it goes under the id of a ball that was lost
+  /// Key of the ball that it best goes on from, by what was known when it was young; 0: none.
+  std::uint32_t goes_on_from{0};
+  double log_going_on{0.0};  ///< ... and how well, see log_explained
 };
 
 inline constexpr std::size_t kMaxBallTracks = 6;

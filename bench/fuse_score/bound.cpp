@@ -23,10 +23,11 @@ struct RayModel {
     const double s = std::sin(q(2));
     const Eigen::Vector2d way = p_F.head<2>() - q.head<2>();
     const Eigen::Vector3d p_R(c * way.x() + s * way.y(), -s * way.x() + c * way.y(), p_F.z());
-    const double range = p_R.head<2>().norm() * (1.0 + q(3));
+    const double range = p_R.head<2>().norm();
+    const double drop = play::kMirrorHeight - p_R.z();
     return {std::atan2(p_R.y(), p_R.x()) + q(4) + q(5),
-            -std::atan2(play::kMirrorHeight - p_R.z(), range) + q(6),
-            std::asin(std::min(0.9, ball_radius / p_R.norm()))};
+            -std::atan2(drop, range * (1.0 + q(3))) + q(6),
+            std::asin(std::min(0.9, ball_radius / std::hypot(range, drop)))};
   }
 };
 

@@ -114,7 +114,7 @@ void Perception::see_ball(const Eigen::Vector3d& p_RB, double radius, fusion::Ob
                      (2.0 * std::pow(parameters_.sigma_direction, 2) +
                       std::pow(parameters_.sigma_direction_slow, 2));
   ray.cov_direction = var * Eigen::Matrix2d::Identity();
-  const double angular = std::asin(std::min(0.9, radius / p_RB.norm()));
+  const double angular = std::asin(std::min(0.9, radius / std::hypot(p_RB.head<2>().norm(), drop)));
   ray.sigma_angular_radius = parameters_.share_radius * angular;
   ray.angular_radius = std::max(1e-4, angular + normal(random_, ray.sigma_angular_radius));
   ray.confidence = kConfidence;

@@ -60,6 +60,27 @@ TEST(LogExplained, AKickExplainsABallThatRollsAwayFromWhereItWas) {
   EXPECT_LT(log_explained(lost, back, kParameters.choice), -3.0);
 }
 
+TEST(LogExplained, WhatABallGoesOnFromIsToldWhileItIsYoung) {
+  BallList balls;
+  balls.push_back(ball_at(0.0, 0.0, 0.0, 2.0));
+  doubt(balls[0], 0.2);
+  BallTrack away = ball_at(4.0, 0.0, 2.5, 2.7);
+  away.book.key = 6;
+  away.book.is_confirmed = false;
+  away.beliefs[0].state.mean(3) = 4.0;
+  balls.push_back(away);
+  const double when_young = log_explained(balls[0], away, kParameters.choice);
+  (void)recognise(balls, BallKeys{}, 0, kParameters);
+
+  // Who sees the new ball does not see the old one there, whatever became of it.
+  balls[0].beliefs[1].probability = 1e-9;
+  const BallTrack stranger = ball_at(4.0, 0.0, 2.5, 2.7);
+
+  EXPECT_EQ(balls[1].goes_on_from, balls[0].book.key);
+  EXPECT_NEAR(log_explained(balls[0], balls[1], kParameters.choice), when_young, 1e-9);
+  EXPECT_LT(log_explained(balls[0], stranger, kParameters.choice), -3.0);
+}
+
 TEST(LogExplained, NothingExplainsABallThatWasSeenBesideTheOther) {
   const BallTrack ball = ball_at(0.0, 1.0, 0.0, 2.0);
 
@@ -163,6 +184,32 @@ TEST(Recognise, WhatProvedTheLostBallProvesTheFoundOneAsFarAsItIsSureToBeIt) {
   EXPECT_EQ(kicked.key, 5U);
   EXPECT_GT(there.proven, kicked.proven);
   EXPECT_LT(kicked.proven, ball_that_was_known().book.proven);
+}
+
+TEST(Recognise, ALostBallIsNotFoundOnceTheTeamHasFoundAnother) {
+  const auto key_of_found = [](int robots) {
+    BallList balls;
+    balls.push_back(ball_that_was_known());
+    BallTrack other = ball_at(6.0, 0.0, 2.7, 3.2);
+    other.book.key = 8;
+    for (RobotId robot = 2; robot <= robots; ++robot) {
+      for (int i = 0; i < 5; ++i) {
+        write_hit(other.book, {robot, at_second(3.2), 0.9}, 1.0, kParameters.ball);
+      }
+    }
+    BallTrack found = ball_at(0.1, 0.0, 3.0, 3.2);
+    found.book.key = 6;
+    balls.push_back(other);
+    balls.push_back(found);
+    BallKeys before;
+    before.push_back(balls[0].book.key);
+    before.push_back(other.book.key);
+    (void)recognise(balls, before, 0, kParameters);
+    return balls.size() == 3 ? balls[2].book.key : balls[0].book.key;
+  };
+
+  EXPECT_EQ(key_of_found(1), 5U);
+  EXPECT_EQ(key_of_found(3), 6U);
 }
 
 TEST(Recognise, ABallThatBeginsWhereTheKnownOneMayHaveBeenKickedMayBeIt) {
