@@ -134,6 +134,16 @@ class BallKind {
     return expected;
   }
 
+  /// Two balls that pass each other stay two.
+  [[nodiscard]] bool may_be_one(const BallTrack& a, const BallTrack& b) const {
+    constexpr double kSure = 0.999;
+    const BallMoments in_a = moments_of(a.beliefs);
+    const BallMoments in_b = moments_of(b.beliefs);
+    const Eigen::Vector2d gap_v = (in_a.mean - in_b.mean).segment<2>(3);
+    const Eigen::Matrix2d cov_v = in_a.cov.block<2, 2>(3, 3) + in_b.cov.block<2, 2>(3, 3);
+    return squared_mahalanobis(gap_v, cov_v) < chi_square_gate(2, kSure);
+  }
+
   [[nodiscard]] std::optional<BallTrack> begin(const Candidate& candidate) const {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(candidate.measurement.cov_F,
                                                               Eigen::EigenvaluesOnly);

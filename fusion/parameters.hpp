@@ -66,7 +66,9 @@ struct TrackParameters {
 
 [[nodiscard]] constexpr TrackParameters default_obstacle_parameters() {
   TrackParameters obstacle;
+  obstacle.acceleration_psd = 0.8;
   obstacle.detection_range = 5.0;
+  obstacle.least_existence = 0.55;  // a false one costs a behaviour more than one that comes late
   obstacle.death_age = std::chrono::seconds(2);
   obstacle.merge_distance = 0.3;
   return obstacle;
@@ -74,7 +76,7 @@ struct TrackParameters {
 
 /// How teammates move and when they are believed.
 struct TeammateParameters {
-  double acceleration_psd{0.5};          ///< m^2/s^3
+  double acceleration_psd{0.3};          ///< m^2/s^3
   double angular_acceleration_psd{4.0};  ///< rad^2/s^3
   double sigma_speed_at_start{2.0};      ///< m/s, per component
   double sigma_omega_at_start{3.0};      ///< rad/s

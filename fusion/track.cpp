@@ -42,6 +42,9 @@ class ObstacleKind {
     return track.state.mean.head<2>();
   }
 
+  /// No two bodies stand in one place.
+  static bool may_be_one(const Track& /*a*/, const Track& /*b*/) { return true; }
+
   /// No gate reaches further than this.
   [[nodiscard]] double farthest(const Track& track) const {
     return 2.5 + 4.0 * std::sqrt(track.state.cov(0, 0) + track.state.cov(1, 1));

@@ -27,7 +27,8 @@ struct Gap {
 /// something and nothing nearer hides it; two tracks in one place are one.
 ///
 /// `Kind` knows what is special: `Track` (with a TrackBook `book`), predict, gap, hit, missed
-/// (with what probability the frame would have shown it), begin, place.
+/// (with what probability the frame would have shown it), begin, place, may_be_one (of two in one
+/// place).
 template <class Kind, class List>
 class Turn {
  public:
@@ -151,7 +152,8 @@ class Turn {
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       if (i == index || !yields(index, i)) continue;
       const Eigen::Vector2d gap_F = kind_.place(tracks_[index]) - kind_.place(tracks_[i]);
-      if (gap_F.norm() < parameters_.merge_distance) return true;
+      if (gap_F.norm() < parameters_.merge_distance && kind_.may_be_one(tracks_[index], tracks_[i]))
+        return true;
     }
     return false;
   }

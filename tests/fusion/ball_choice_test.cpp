@@ -1,6 +1,7 @@
 // tests/fusion/ball_choice_test.cpp: which ball of now is the ball of before, and which one comes
 // first.
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,31 @@ TEST(BallChoice, ABallSeenBesideAKnownOneIsAnother) {
   ASSERT_EQ(both.balls.size(), 2U);
   EXPECT_NE(both.balls[0].track, both.balls[1].track);
   EXPECT_TRUE(both.balls[0].track == track || both.balls[1].track == track);
+}
+
+TEST(BallChoice, TwoBallsThatPassEachOtherStayTwo) {
+  Fusion fusion = make_fusion();
+  Eye eye(1, 11);
+  double t = 0.0;
+  // One rolls past the other, which lies at kBall, at 5 cm.
+  const auto see_both = [&t](Eye& e) {
+    e.see_ball(kBall);
+    e.see_ball({kBall.x + 4.0 * (t - 0.5), kBall.y + 0.05});
+    t += 0.033;
+  };
+  watch(fusion, eye, kLeftOfBall, {0.0, 0.429}, see_both);
+  const std::vector<WorldBall> before = fusion.world_at(at_second(0.42)).balls;
+  watch(fusion, eye, kLeftOfBall, {0.429, 0.561}, see_both);
+  const std::vector<WorldBall> after = fusion.world_at(at_second(0.55)).balls;
+
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_EQ(after.size(), 2U);
+  for (const WorldBall& ball : after) {
+    const bool was_first = ball.track == before[0].track;
+    EXPECT_TRUE(was_first || ball.track == before[1].track);
+    const WorldBall& same = was_first ? before[0] : before[1];
+    EXPECT_NEAR(ball.v_FB.x, same.v_FB.x, 1.0);
+  }
 }
 
 TEST(BallChoice, ABallThatIsHiddenForAMomentDoesNotGiveWayToWhatOneRobotBeginsToSee) {

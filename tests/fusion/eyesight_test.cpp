@@ -73,11 +73,13 @@ TEST(Eyesight, SeesNothingBehindAKnownBodyThatTheFrameDoesNotShow) {
 class Watched : public ::testing::Test {
  protected:
   /// @param is_seeing  whether the near robot reports what it should while the opponent is there
-  /// @return for how long the opponent is listed after it has gone; s
+  /// @return for how long the opponent is held for half probable after it has gone; s
   double listed_for(bool is_seeing) {
     constexpr int kGone = 100;
     constexpr int kEnd = 175;
-    Fusion fusion(Parameters{}, plain_field());
+    Parameters parameters;
+    parameters.obstacle.least_existence = 0.5;
+    Fusion fusion(parameters, plain_field());
     for (int i = 0; i < kEnd; ++i) {
       const HostTime now = at_second(kFrame * i);
       look(fusion, near_, {0.0, 0.0, 0.0}, now, i < kGone && is_seeing);
