@@ -101,6 +101,14 @@ ordered_json obstacle_json(const score::ObstacleTally& obstacles, double minutes
   return json;
 }
 
+/// Median, 95 % and most of some durations; @pre there is one.
+void add_spread(ordered_json& json, const std::string& name, std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  json[name + "_s_median"] = rounded(seconds[seconds.size() / 2]);
+  json[name + "_s_p95"] = rounded(seconds[(seconds.size() - 1) * 95 / 100]);
+  json[name + "_s_max"] = rounded(seconds.back());
+}
+
 ordered_json trust_json(const score::TrustTally& trust) {
   ordered_json json;
   json["found"] = trust.found_after.size();
@@ -113,11 +121,8 @@ ordered_json trust_json(const score::TrustTally& trust) {
         rounded(*std::max_element(trust.over_after.begin(), trust.over_after.end()));
   }
   if (trust.found_after.empty()) return json;
-  std::vector<double> after = trust.found_after;
-  std::sort(after.begin(), after.end());
-  json["found_after_s_median"] = rounded(after[after.size() / 2]);
-  json["found_after_s_p95"] = rounded(after[(after.size() - 1) * 95 / 100]);
-  json["found_after_s_max"] = rounded(after.back());
+  add_spread(json, "found_after", trust.found_after);
+  add_spread(json, "found_after_evidence", trust.found_after_evidence);
   return json;
 }
 

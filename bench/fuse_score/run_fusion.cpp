@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bench/fuse_score/run.hpp"
+#include "bench/fuse_score/shared_evidence.hpp"
 #include "fusion/teammate.hpp"
 #include "geometry/angle.hpp"
 #include "geometry/uncertainty.hpp"
@@ -200,6 +201,8 @@ class FusionRun {
     if (is_over) tally_.trust.over_after.push_back(std::max(0.0, wrong_for));
     if (found != found_.end()) {
       tally_.trust.found_after.push_back(found->second);
+      tally_.trust.found_after_evidence.push_back(
+          shared_evidence_until(log_, plan, plan.from + found->second));
     } else if (!is_over) {
       ++tally_.trust.not_found;
     }

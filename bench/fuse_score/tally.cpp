@@ -61,9 +61,14 @@ void merge_obstacles(ObstacleTally& into, const ObstacleTally& from) {
   into.false_tracks += from.false_tracks;
 }
 
+void append(std::vector<double>& into, const std::vector<double>& from) {
+  into.insert(into.end(), from.begin(), from.end());
+}
+
 void merge_trust(TrustTally& into, const TrustTally& from) {
-  into.found_after.insert(into.found_after.end(), from.found_after.begin(), from.found_after.end());
-  into.over_after.insert(into.over_after.end(), from.over_after.begin(), from.over_after.end());
+  append(into.found_after, from.found_after);
+  append(into.found_after_evidence, from.found_after_evidence);
+  append(into.over_after, from.over_after);
   into.not_found += from.not_found;
   into.wrong_reason += from.wrong_reason;
   into.false_alarms += from.false_alarms;

@@ -81,7 +81,9 @@ struct MateTally {
 
 struct TrustTally {
   std::vector<double> found_after;  ///< s, of each fault found
-  int not_found{0};                 ///< of those that went on
+  /// ... of which there was something to compare, see shared_evidence_until; s
+  std::vector<double> found_after_evidence;
+  int not_found{0};  ///< of those that went on
   /// Of faults that ended by themselves: for how long the robot was sure of a posture that is wrong
   /// by more than 0.3 m; s.
   std::vector<double> over_after;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/fuse_score/run.hpp"
+#include "bench/fuse_score/shared_evidence.hpp"
 
 namespace teamsight::score {
 namespace {
@@ -51,6 +52,31 @@ TEST(FuseScore, IsBetterThanEveryPeersRuleInNormalPlay) {
   for (const Scored& rule : result.obstacles) {
     EXPECT_LT(result.fused.obstacles.gospa.mean(), rule.tally.obstacles.gospa.mean());
   }
+}
+
+TEST(SharedEvidence, CountsWhileTwoRobotsShowOneThing) {
+  play::PlayLog log;
+  const auto add = [&log](double exposure, RobotId robot, std::uint64_t players) {
+    play::Frame frame;
+    frame.exposure = exposure;
+    frame.observation.id.robot = robot;
+    frame.seen_players = players;
+    log.frames.push_back(frame);
+    log.deliveries.push_back({exposure + 0.02, log.frames.size() - 1, {}, Duration{0}});
+  };
+  const play::FaultPlan mirrored{3, play::Fault::kMirrored, 1.0};
+  add(0.9, 3, 0b1000'0000);  // before the fault
+  add(1.0, 1, 0b1000'0000);
+  add(1.1, 2, 0b1000'0000);   // two others
+  add(1.45, 3, 0b1100'0000);  // too late after them
+  EXPECT_EQ(shared_evidence_until(log, mirrored, 9.0), 0.0);
+  add(1.5, 2, 0b0100'0000);
+  add(1.6, 1, 0b0000'0100);
+  add(3.0, 3, 0b0000'0001);  // shows robot 1, of which there is no frame near
+
+  EXPECT_EQ(shared_evidence_until(log, mirrored, 1.5), 0.0);
+  EXPECT_NEAR(shared_evidence_until(log, mirrored, 1.6), 0.08, 1e-9);
+  EXPECT_NEAR(shared_evidence_until(log, mirrored, 9.0), 0.4, 1e-9);
 }
 
 TEST(FuseScore, FindsARobotInTheWrongHalfAndBlamesNobodyElse) {
