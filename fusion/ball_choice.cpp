@@ -61,7 +61,9 @@ double log_odds_held(const TrackBook& before,
                      const Parameters& parameters) {
   const TrackBook& after = found.book;
   const double one_word = parameters.ball.most_vote;
-  if (found.branched_from == before.key && after.proven > one_word) return log_odds_of(before);
+  const bool goes_on = found.goes_on_from == before.key && found.log_going_on > 0.0;
+  const bool may_be_before = found.branched_from == before.key || goes_on;
+  if (may_be_before && after.proven > one_word) return log_odds_of(before);
   const double proven = log_odds_proven(before, parameters.choice);
   const bool is_as_new = is_seen_beside(before, after) && before.proven <= one_word;
   return is_as_new ? proven - one_word : proven;
