@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "fusion/ball_birth.hpp"
 #include "fusion/measurement.hpp"
 #include "fusion/track.hpp"
 #include "fusion/turn.hpp"
@@ -119,6 +120,7 @@ class BallKind {
     if (std::log(all_false) > kNegligible) add_others(track.beliefs, others);
     tidy(track.beliefs);
     if (track.book.is_confirmed) count_clear_kick(track);
+    if (is_no_lamp(track)) track.book.doubt = 0.0;
     return mean;
   }
 
@@ -153,11 +155,15 @@ class BallKind {
     BallTrack track;
     track.book = first_page(
         candidate.key, {glance_.robot, glance_.exposure, candidate.confidence}, setting_.track);
-    const Considered<6> state = on_floor(candidate);
-    const RobotId robot = glance_.robot;
-    track.beliefs.push_back({state, BallMode::kRolling, 0.9, robot, glance_.exposure});
-    track.beliefs.push_back(
-        {lifted(state, candidate), BallMode::kFlying, 0.1, robot, glance_.exposure});
+    track.book.doubt = candidate.doubt;
+    track.beliefs = beliefs_at_birth({candidate,
+                                      rays_[candidate.index],
+                                      observer_,
+                                      errors_,
+                                      setting_.motion,
+                                      setting_.track.sigma_speed_at_birth},
+                                     glance_.robot,
+                                     glance_.exposure);
     return track;
   }
 
@@ -169,6 +175,18 @@ class BallKind {
   // What hides a ball from a robot in one frame hides it in the next: each frame without it counts
   // for so much of one that tells something new.
   static constexpr double kIndependent = 0.3;
+
+  /// Whether what began in the air is no more to be doubted: it has come down, or has been followed
+  /// for so long as no thing that hangs there can be.
+  [[nodiscard]] bool is_no_lamp(const BallTrack& track) const {
+    constexpr Duration kLongEnough = std::chrono::seconds(1);
+    if (glance_.exposure - track.book.born > kLongEnough) return true;
+    double height = 0.0;
+    for (const BallBelief& belief : track.beliefs) {
+      height += belief.probability * belief.state.mean(2);
+    }
+    return height < setting_.motion.foot_height;
+  }
 
   /// Counts the ball's last kick once there is no doubt of it, and of its kind.
   void count_clear_kick(BallTrack& track) const {
@@ -308,41 +326,6 @@ class BallKind {
   void settle(Considered<6>& state) const {
     state.mean(2) = setting_.motion.radius;
     state.mean(5) = 0.0;
-  }
-
-  [[nodiscard]] Considered<6> on_floor(const Candidate& candidate) const {
-    Considered<6> state;
-    const double speed = setting_.track.sigma_speed_at_birth;
-    state.mean << candidate.measurement.p_F, setting_.motion.radius, 0.0, 0.0, 0.0;
-    state.cov.setZero();
-    state.cov.diagonal().segment<2>(3).setConstant(speed * speed);
-    state.cov.topLeftCorner<2, 2>() = candidate.measurement.cov_F;
-    if (observer_.place != kNoPlace) {
-      const Eigen::Vector2d way_F = candidate.measurement.p_F - glance_.observer();
-      const auto slope = place_slope(way_F);
-      state.mean.head<2>() -= slope * observer_.errors;
-      state.cov.topLeftCorner<2, 2>() =
-          candidate.cov_own + slope * errors_.cov(observer_.place) * slope.transpose();
-      state.cross.topRows<2>() = -slope * errors_.cov_with_all(observer_.place);
-    }
-    lay_down(state, setting_.motion);
-    return state;
-  }
-
-  /// Somewhere along the ray, up to a robot's height or so.
-  [[nodiscard]] Considered<6> lifted(const Considered<6>& floor, const Candidate& candidate) const {
-    constexpr double kHeight = 0.4;       // m above the floor, and how uncertain that is
-    constexpr double kSigmaHeight = 0.3;  // m
-    const Point3<Robot>& origin = rays_[candidate.index].ray_R.origin;
-    const double drop = std::max(0.1, origin.z - setting_.motion.radius);
-    const Eigen::Vector2d way_F = candidate.measurement.p_F - glance_.observer();
-    Eigen::Vector3d up;
-    up << -way_F / drop, 1.0;
-    Considered<6> state = floor;
-    state.mean.head<3>() += kHeight * up;
-    state.cov.topLeftCorner<3, 3>() += kSigmaHeight * kSigmaHeight * up * up.transpose();
-    state.cov(5, 5) = setting_.motion.sigma_climb * setting_.motion.sigma_climb;
-    return state;
   }
 
   const std::vector<BallRay>& rays_;

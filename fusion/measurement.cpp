@@ -66,6 +66,31 @@ std::optional<PolarBall> ball_on_floor(const BallRay& ray, double ball_radius) {
   return ball;
 }
 
+std::optional<BallInSpace> ball_by_size(const BallRay& ray, double ball_radius) {
+  if (ray.angular_radius <= 0.0 || ray.sigma_angular_radius <= 0.0) return std::nullopt;
+  const Eigen::Vector3d& direction = ray.ray_R.direction;
+  const double level = direction.head<2>().norm();
+  if (level < 1e-9) return std::nullopt;
+  const double distance = ball_radius / std::sin(ray.angular_radius);
+  const double sigma = distance / std::tan(ray.angular_radius) * ray.sigma_angular_radius;
+  Eigen::Matrix3d slope;  // by (azimuth, elevation, distance)
+  slope.col(0) << -direction.y() * distance, direction.x() * distance, 0.0;
+  slope.col(1) << -direction.x() / level * direction.z() * distance,
+      -direction.y() / level * direction.z() * distance, level * distance;
+  slope.col(2) = direction;
+  Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
+  cov.topLeftCorner<2, 2>() = ray.cov_direction;
+  cov(2, 2) = sigma * sigma;
+  return BallInSpace{ray.ray_R.origin.vector() + distance * direction,
+                     slope * cov * slope.transpose()};
+}
+
+PlanarMeasurement below(const BallInSpace& ball, const PostureEstimate& posture) {
+  return in_field(posture,
+                  Point<Robot>::from(ball.p_R.head<2>()),
+                  ball.cov.topLeftCorner<2, 2>() + 1e-6 * Eigen::Matrix2d::Identity());
+}
+
 std::optional<PlanarMeasurement> measure_ball(const BallRay& ray,
                                               const PostureEstimate& posture,
                                               double ball_radius) {

@@ -34,6 +34,20 @@ struct PolarBall {
 /// @param elevation  rad, negative: downwards
 [[nodiscard]] double range_slope(double height, double elevation);
 
+/// A ball in space, by its direction and how large it looks.
+struct BallInSpace {
+  Eigen::Vector3d p_R{Eigen::Vector3d::Zero()};      ///< m
+  Eigen::Matrix3d cov{Eigen::Matrix3d::Identity()};  ///< of p_R; m^2
+};
+
+/// @return nothing if its angular radius was not measured
+[[nodiscard]] std::optional<BallInSpace> ball_by_size(const BallRay& ray, double ball_radius);
+
+/// A ball in space as a place on the floor of F, below it.
+///
+/// @param posture  of the observer at exposure; its covariance goes into the result
+[[nodiscard]] PlanarMeasurement below(const BallInSpace& ball, const PostureEstimate& posture);
+
 /// A ball ray as a floor point in F.
 ///
 /// @param posture  of the observer at exposure; its covariance goes into the result

@@ -1,25 +1,13 @@
-// fusion/sighted.hpp: what one frame shows, in F: the candidates for tracks and teammates.
+// fusion/sighted.hpp: which of the things that one frame shows are teammates, and what that tells.
 #pragma once
 
+#include "fusion/candidates.hpp"
 #include "fusion/observation.hpp"
 #include "fusion/state.hpp"
 #include "fusion/track_book.hpp"
 #include "fusion/witness.hpp"
 
 namespace teamsight::fusion {
-
-/// Everything one frame shows.
-struct Sighted {
-  CandidateList balls;
-  CandidateList obstacles;
-};
-
-/// Rays that do not meet the carpet may be a flying ball's, and begin no track.
-///
-/// @param errors  with this frame's posture reported already
-[[nodiscard]] Sighted sighted_in(const Observation& observation,
-                                 const TeamErrors& errors,
-                                 const Setting& setting);
 
 /// Which candidate is which teammate, by index; kUnassigned where it is none.
 struct MateSightings {

@@ -116,6 +116,7 @@ struct Candidate {
   std::uint32_t key{0};    ///< of the track that it would begin
   std::uint32_t index{0};  ///< in the observation's list
   bool may_begin{true};    ///< whether a track may begin with it
+  bool is_high{false};     ///< of a ball: in the air, where its size says; below it on the floor
   double doubt{0.0};       ///< of such a track, see TrackBook
 };
 
