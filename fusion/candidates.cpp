@@ -95,16 +95,17 @@ CandidateList ball_candidates(const Observation& observation,
     if (ray.confidence < setting.parameters.ball.min_confidence || candidates.is_full()) continue;
     if (ray.ray_R.direction.head<2>().norm() < 1e-9) continue;
     const auto met = floor_place(ray, observation.posture, setting);
-    const auto in_air = ball_in_air(ray, observation.posture, setting);
+    const bool is_sure = met && may_begin(*met, setting);
+    const auto in_air = is_sure ? std::nullopt : ball_in_air(ray, observation.posture, setting);
     Candidate candidate;
-    if (met && (!in_air || may_begin(*met, setting))) {
-      candidate = make_candidate(*met, p_FR, radius);
-      candidate.cov_own = measure_ball(ray, fresh, radius)->cov_F;
-    } else if (in_air) {
+    if (in_air) {
       candidate = make_candidate(below(*in_air, observation.posture), p_FR, radius);
       candidate.cov_own = below(*in_air, fresh).cov_F;
       candidate.is_high = true;
       candidate.doubt = setting.parameters.newcomer.most_doubt;
+    } else if (met) {
+      candidate = make_candidate(*met, p_FR, radius);
+      candidate.cov_own = measure_ball(ray, fresh, radius)->cov_F;
     } else {
       candidate = make_candidate(anywhere_along(ray, observation.posture), p_FR, radius);
       candidate.may_begin = false;

@@ -315,6 +315,12 @@ scenarios.replays = async (page) => {
 
 /** A game that another program recorded: places, and nothing that nobody measured. */
 scenarios.imports = async (page) => {
+  await page.route("**/recording.bin*", (route) => route.fulfill({ status: 503 }));
+  await page.reload();
+  await page.waitForFunction(() => /recording does not arrive.*503/.test(document.getElementById("silence").textContent), undefined, BOUND);
+  await page.screenshot({ path: join(folder, "page-no-recording.png") });
+  await page.unroute("**/recording.bin*");
+  complaints.length = 0; // of the browser, about the answer 503
   await waitForMark(page, "REPLAY");
   await page.waitForSelector('.robot[data-robot="2"]', BOUND);
   await goThroughTime(page);
